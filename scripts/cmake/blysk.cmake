@@ -1,0 +1,30 @@
+# SPDX-License-Identifier: Apache-2.0
+# What every target of the project shares.
+
+add_library(blysk_options INTERFACE)
+target_compile_options(blysk_options INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion
+  $<$<BOOL:${BLYSK_WERROR}>:-Werror>)
+
+include(Catch)
+
+# blysk_add_test(AREA.SUBJECT SOURCES a.cpp ... LIBRARIES lib ...)
+# A Catch2 program; its cases become the ctest tests "AREA.SUBJECT: case", one process each.
+# A case tagged [full] bears the label full, every other one quick.
+function(blysk_add_test name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;LIBRARIES")
+  add_executable(${name} ${arg_SOURCES})
+  target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR})
+  target_link_libraries(${name} PRIVATE blysk_options ${arg_LIBRARIES} Catch2::Catch2WithMain)
+  set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests)
+  foreach(label quick full)
+    if(label STREQUAL full)
+      set(spec "[full]")
+    else()
+      set(spec "~[full]")
+    endif()
+    catch_discover_tests(${name} TEST_SPEC ${spec} TEST_PREFIX "${name}: "
+                         DISCOVERY_MODE PRE_TEST
+                         PROPERTIES LABELS ${label})
+  endforeach()
+endfunction()
