@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The angle-based lobe of [A] and its energy normalisation.
+///
+/// Common to all: n the exponent of the lobe that is imitated, [1, 1000]; k the low exponent, >= 1;
+/// q the value of cos^n at which both meet, (0, 1); x the angle from the lobe's axis, rad, [0, pi/2].
+#pragma once
+
+#include <boost/math/constants/constants.hpp>
+#include <boost/math/quadrature/tanh_sinh.hpp>
+#include <cmath>
+
+namespace blysk::golden {
+
+/// acos(q^(1/n)) as 2 asin(sqrt(-expm1(ln(q) / n) / 2)): q^(1/n) near 1 would lose the angle.   rad
+template <class Real>
+Real angle_of_level(const Real& n, const Real& q) {
+  using std::asin;
+  using std::expm1;
+  using std::log;
+  using std::sqrt;
+  return 2 * asin(sqrt(Real(-expm1(Real(log(q) / n)) / 2)));
+}
+
+/// acos(q^(1/k)) / acos(q^(1/n)), the factor of the angle.   [A], 4th formula
+template <class Real>
+Real angle_scale(const Real& n, const Real& k, const Real& q) {
+  return angle_of_level(k, q) / angle_of_level(n, q);
+}
+
+/// Angle at which the lobe reaches zero, "gran" of [A]; above pi/2 when n < k.   rad
+template <class Real>
+Real angle_limit(const Real& n, const Real& k, const Real& q) {
+  return boost::math::constants::half_pi<Real>() / angle_scale(n, k, q);
+}
+
+/// cos^k(angle_scale x), zero from angle_limit on.   [A], 4th formula. In [0, 1].
+template <class Real>
+Real angle_lobe(const Real& n, const Real& k, const Real& q, const Real& x) {
+  using std::cos;
+  using std::pow;
+  const Real scaled = angle_scale(n, k, q) * x;
+  if (!(scaled < boost::math::constants::half_pi<Real>())) return Real(0);
+  return pow(Real(cos(scaled)), k);
+}
+
+/// Int = integral from 0 to `limit` of cos^k(angle_scale x) cos x sin x dx, `limit` <= angle_limit.   [A]
+template <class Real>
+Real angle_integral(const Real& n, const Real& k, const Real& q, const Real& limit) {
+  using std::cos;
+  using std::pow;
+  using std::sin;
+  thread_local boost::math::quadrature::tanh_sinh<Real> integrator;  // its levels of nodes are computed once
+  const Real scale = angle_scale(n, k, q);
+  const auto integrand = [&](const Real& x) {
+    const Real base = cos(Real(scale * x));
+    return base > 0 ? Real(pow(base, k) * sin(Real(2 * x)) / 2) : Real(0);
+  };
+  return integrator.integrate(integrand, Real(0), limit);
+}
+
+/// 1 / (2 pi Int), Int up to angle_limit as [A] has it, even where that passes pi/2.   [A]
+template <class Real>
+Real angle_coefficient_exact(const Real& n, const Real& k, const Real& q) {
+  return 1 / (boost::math::constants::two_pi<Real>() * angle_integral(n, k, q, angle_limit(n, k, q)));
+}
+
+/// Fitted normalisation, one formula for q in [0.1, 0.4], another for q in [0.5, 0.9].   [A]
+/// The gap between them, and n <= k, are outside the fit.
+template <class Real>
+Real angle_coefficient_fitted(const Real& n, const Real& k, const Real& q) {
+  const Real milli = Real(1) / 1000;
+  if (q < Real(9) / 20)
+    return 608 * milli * n * (q - 193 * milli) / (2 * (q + k)) + 161 * milli * n + 284 * milli;
+  return 743 * milli * q * (167 * milli * n - 133 * milli / 10 * k * n) / k + 167 * milli * n + 245 * milli;
+}
+
+}  // namespace blysk::golden

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Specular lobes: cos^n and what the seeds, and hardware that shipped, put in its place.
+///
+/// Common to all: n is the specular exponent in [1, 1000]; c = cos(delta), delta = angle(normal, half_vec),
+/// in [0, 1]; the result is a dimensionless factor, without the cosine of the lighting equation.
+/// 1 - c is formed first wherever a formula allows it: it is exact for c >= 1/2, where the lobe lies.
+#pragma once
+
+#include <boost/math/constants/constants.hpp>
+
+#include "tb/golden/coefficient.h"
+
+namespace blysk::golden {
+
+/// c^n.   [P] (1), [T] (2.11). In [0, 1]; underflows to 0 gracefully.
+template <class Real>
+Real blinn(const Real& n, const Real& c) {
+  using std::pow;
+  return pow(c, n);
+}
+
+/// (n + 6) / (8 pi) c^n.   [T] fig. 2.16. In [0, (n + 6) / (8 pi)].
+template <class Real>
+Real blinn_normalised(const Real& n, const Real& c) {
+  return (n + 6) / (8 * boost::math::constants::pi<Real>()) * blinn(n, c);
+}
+
+/// c / (n - n c + c), its denominator as n (1 - c) + c.   [T] (1.5) (2.1). In [0, 1].
+template <class Real>
+Real schlick(const Real& n, const Real& c) {
+  return c / (n * (1 - c) + c);
+}
+
+/// Angle whose cosine is c, as 2 asin(sqrt((1 - c) / 2)): acos(c) rounds c - 1 away near the peak.
+/// \return  rad, [0, pi / 2] for c in [0, 1]
+template <class Real>
+Real angle_of_cosine(const Real& c) {
+  using std::asin;
+  using std::sqrt;
+  return 2 * asin(sqrt(Real((1 - c) / 2)));
+}
+
+/// What [T] (2.2) prints as "0.5 n (1 - cos gamma^2)", gamma = acos(c), can be read in four ways.
+enum class schlick_reading {
+  a,  ///< n (1 - c^2) / 2
+  b,  ///< n (1 - c)^2 / 2
+  c,  ///< n (1 - cos(gamma^2)) / 2
+  d,  ///< (n (1 - c))^2 / 2, the one reading that meets the 3.2 % of [T]
+};
+
+/// c / (t + n - n c + c), t the term of the given reading.   [T] (2.2). In [0, 1].
+template <class Real>
+Real schlick_modified(schlick_reading reading, const Real& n, const Real& c) {
+  using std::sin;
+  const Real u = 1 - c;
+  Real term = 0;
+  switch (reading) {
+    case schlick_reading::a:
+      term = n * u * (1 + c) / 2;
+      break;
+    case schlick_reading::b:
+      term = n * u * u / 2;
+      break;
+    case schlick_reading::c: {
+      const Real gamma = angle_of_cosine(c);
+      const Real s = sin(Real(gamma * gamma / 2));  // (1 - cos y) / 2 = sin^2(y / 2)
+      term = n * s * s;
+      break;
+    }
+    case schlick_reading::d:
+      term = n * u * n * u / 2;
+      break;
+  }
+  return c / (term + n * u + c);
+}
+
+/// a (c^2 - c) + c = c (1 - a (1 - c)), the second form so that the root is sharp.   [P] (3) (6)
+/// Not limited: negative for 0 < c < 1 - 1/a, down to -(a - 1)^2 / (4 a). At most 1.
+template <class Real>
+Real quadratic(coefficient_line line, const Real& n, const Real& c) {
+  return c * (1 - coefficient(line, n) * (1 - c));
+}
+
+/// ((n + 1)/3 (c - 1) + 1)^2, zero beyond its root c = 1 - 3/(n + 1).   [T] (2.15). In [0, 1].
+template <class Real>
+Real cosine_quadratic(const Real& n, const Real& c) {
+  const Real root_distance = 1 - (n + 1) / 3 * (1 - c);
+  return root_distance > 0 ? Real(root_distance * root_distance) : Real(0);
+}
+
+/// (n + 6)/24.55 times the cosine-quadratic.   [T] (2.26). In [0, (n + 6) / 24.55].
+template <class Real>
+Real cosine_quadratic_energy(const Real& n, const Real& c) {
+  return (n + 6) * 100 / 2455 * cosine_quadratic(n, c);
+}
+
+/// (1 - n (1 - c) / K)^K, zero beyond its root c = 1 - K/n; K = 2, 4, 8 by squaring.
+/// R. Lyon, Phong Shading Reformulation for Hardware Renderer Simplification, Apple TR 43, 1993. In [0, 1].
+template <int K, class Real>
+Real lyon(const Real& n, const Real& c) {
+  static_assert(K >= 2 && (K & (K - 1)) == 0, "squarings alone form the power");
+  Real power = 1 - n * (1 - c) / K;
+  if (!(power > 0)) return Real(0);
+  for (int k = 1; k < K; k *= 2) power *= power;
+  return power;
+}
+
+/// c^2 / (n/2 + (1 - n/2) c^2), the quadratic over quadratic of the GameCube's GX lighting unit.
+/// Its denominator is formed as n/2 (1 - c)(1 + c) + c^2. In [0, 1].
+template <class Real>
+Real gx(const Real& n, const Real& c) {
+  const Real c2 = c * c;
+  return c2 / (n / 2 * (1 - c) * (1 + c) + c2);
+}
+
+}  // namespace blysk::golden

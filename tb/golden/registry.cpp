@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/golden/registry.h"
+
+#include <algorithm>
+#include <array>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+
+#include "tb/golden/angle.h"
+#include "tb/golden/lobes.h"
+
+namespace blysk::golden {
+namespace {
+
+using inputs_t = std::span<const double>;
+
+[[noreturn]] void refuse(std::string_view argument, double value, std::string_view expected) {
+  std::ostringstream message;
+  message.precision(17);
+  message << argument << " is " << value << ", expected " << expected;
+  throw std::domain_error(message.str());
+}
+
+/// `inside` is false for NaN too, as every comparison with it is.
+void require(bool inside, std::string_view argument, double value, std::string_view expected) {
+  if (!inside) refuse(argument, value, expected);
+}
+
+void require_count(inputs_t inputs, std::size_t count) {
+  require(inputs.size() == count, "number of inputs", static_cast<double>(inputs.size()),
+          std::to_string(count));
+}
+
+void require_n(double n) {
+  require(n >= 1 && n <= 1000, "n", n, "a number in [1, 1000]");
+}
+
+void require_level(double k, double q) {
+  require(k >= 1 && k <= 1000, "k", k, "a number in [1, 1000]");
+  require(q > 0 && q < 1, "q", q, "a number in (0, 1)");
+}
+
+/// Wraps a formula of (n, cos) as a checked call.
+template <class Formula>
+constexpr auto of_cosine(Formula) {
+  return +[](inputs_t in) {
+    require_count(in, 2);
+    require_n(in[0]);
+    require(in[1] >= 0 && in[1] <= 1, "cos", in[1], "a number in [0, 1]");
+    return Formula{}(in[0], in[1]);
+  };
+}
+
+double checked_angle(inputs_t in) {
+  require_count(in, 4);
+  require_n(in[0]);
+  require_level(in[1], in[2]);
+  require(in[3] >= 0 && in[3] <= boost::math::constants::half_pi<double>(), "x", in[3],
+          "an angle in [0, pi/2] radians");
+  return angle_lobe(in[0], in[1], in[2], in[3]);
+}
+
+double checked_angle_coefficient_exact(inputs_t in) {
+  require_count(in, 3);
+  require_n(in[0]);
+  require_level(in[1], in[2]);
+  return angle_coefficient_exact(in[0], in[1], in[2]);
+}
+
+double checked_angle_coefficient_fitted(inputs_t in) {
+  require_count(in, 3);
+  const auto [n, k, q] = std::array{in[0], in[1], in[2]};
+  require_n(n);
+  require(k >= 1 && k <= 5, "k", k, "a number in [1, 5], where the fit was made");
+  require((q >= 0.1 && q <= 0.4) || (q >= 0.5 && q <= 0.9), "q", q,
+          "a number in [0.1, 0.4] or [0.5, 0.9], where the fit was made");
+  require(n > k, "n", n, "more than k, where the fit was made");
+  return angle_coefficient_fitted(n, k, q);
+}
+
+constexpr std::array kModels{
+    model{"blinn", "n,cos", "c^n", "[P] (1), [T] (2.11)",
+          of_cosine([](double n, double c) { return blinn(n, c); })},
+    model{"blinn-normalised", "n,cos", "(n + 6)/(8 pi) c^n", "[T] fig. 2.16",
+          of_cosine([](double n, double c) { return blinn_normalised(n, c); })},
+    model{"schlick", "n,cos", "c / (n - n c + c)", "[T] (1.5) (2.1)",
+          of_cosine([](double n, double c) { return schlick(n, c); })},
+    model{"schlick-modified", "n,cos", "c / ((n (1 - c))^2 / 2 + n - n c + c)", "[T] (2.2), reading D",
+          of_cosine([](double n, double c) { return schlick_modified(schlick_reading::d, n, c); })},
+    model{"schlick-modified-a", "n,cos", "c / (n (1 - c^2) / 2 + n - n c + c)", "[T] (2.2), reading A",
+          of_cosine([](double n, double c) { return schlick_modified(schlick_reading::a, n, c); })},
+    model{"schlick-modified-b", "n,cos", "c / (n (1 - c)^2 / 2 + n - n c + c)", "[T] (2.2), reading B",
+          of_cosine([](double n, double c) { return schlick_modified(schlick_reading::b, n, c); })},
+    model{"schlick-modified-c", "n,cos", "c / (n (1 - cos(acos(c)^2)) / 2 + n - n c + c)",
+          "[T] (2.2), reading C",
+          of_cosine([](double n, double c) { return schlick_modified(schlick_reading::c, n, c); })},
+    model{"quadratic-exact", "n,cos", "a (c^2 - c) + c, a = (t^(n-1) - 1)/(t - 1), t = sqrt((n-1)/n)",
+          "[P] (3) (6) (9)",
+          of_cosine([](double n, double c) { return quadratic(coefficient_line::exact, n, c); })},
+    model{"quadratic-published", "n,cos", "a (c^2 - c) + c, a = 0.786 n + 0.5", "[P] (3) (6) (10)",
+          of_cosine([](double n, double c) { return quadratic(coefficient_line::published, n, c); })},
+    model{"quadratic-derived", "n,cos", "a (c^2 - c) + c, a = 2 (1 - e^(-1/2)) n - 1/2",
+          "[P] (3) (6), (9) expanded",
+          of_cosine([](double n, double c) { return quadratic(coefficient_line::derived, n, c); })},
+    model{"cosine-quadratic", "n,cos", "max(0, (n + 1)/3 (c - 1) + 1)^2", "[T] (2.15)",
+          of_cosine([](double n, double c) { return cosine_quadratic(n, c); })},
+    model{"cosine-quadratic-energy", "n,cos", "(n + 6)/24.55 max(0, (n + 1)/3 (c - 1) + 1)^2", "[T] (2.26)",
+          of_cosine([](double n, double c) { return cosine_quadratic_energy(n, c); })},
+    model{"lyon-2", "n,cos", "max(0, 1 - n (1 - c)/2)^2", "Lyon, Apple TR 43",
+          of_cosine([](double n, double c) { return lyon<2>(n, c); })},
+    model{"lyon-4", "n,cos", "max(0, 1 - n (1 - c)/4)^4", "Lyon, Apple TR 43",
+          of_cosine([](double n, double c) { return lyon<4>(n, c); })},
+    model{"lyon-8", "n,cos", "max(0, 1 - n (1 - c)/8)^8", "Lyon, Apple TR 43",
+          of_cosine([](double n, double c) { return lyon<8>(n, c); })},
+    model{"gx", "n,cos", "c^2 / (n/2 + (1 - n/2) c^2)", "GameCube GX lighting",
+          of_cosine([](double n, double c) { return gx(n, c); })},
+    model{"angle", "n,k,q,x", "cos^k(acos(q^(1/k)) / acos(q^(1/n)) x), zero from the root on",
+          "[A], 4th formula", checked_angle},
+    model{"angle-coef-exact", "n,k,q", "1 / (2 pi Int(n, k, q))", "[A], coef",
+          checked_angle_coefficient_exact},
+    model{"angle-coef-fitted", "n,k,q",
+          "0.608 n (q - 0.193)/(2 q + 2 k) + 0.161 n + 0.284, or 0.743 q (0.167 n - 0.0133 k n)/k + 0.167 n "
+          "+ 0.245",
+          "[A], fitted coef", checked_angle_coefficient_fitted},
+};
+
+}  // namespace
+
+std::span<const model> models() {
+  return kModels;
+}
+
+const model* find_model(std::string_view name) {
+  const auto found = std::ranges::find(kModels, name, &model::name);
+  return found == kModels.end() ? nullptr : &*found;
+}
+
+}  // namespace blysk::golden
