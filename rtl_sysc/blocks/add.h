@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "rtl_sysc/blocks/law.h"
+#include "rtl_sysc/qformat.h"
+
+namespace blysk {
+
+/// Adder with carry: s_o = a_i + b_i + carry_i, operands aligned by wiring to the fraction bits of S.
+///
+/// Instances  add9 (carry 28 = 1: completes the two's complement of cos), add11 (carry 30 = 0), add15 of
+///            [P] fig. 1.
+/// Formats    a_i: A, b_i: B, s_o: S with S::frac >= A::frac, B::frac; the carry weighs 1 ulp of S. The device
+///            asserts that no sum overflows S.
+/// Timing     combinational.   Error  none.
+template <class A, class B, class S>
+SC_MODULE(add) {
+  sc_core::sc_in<typename A::raw_t> SC_NAMED(a_i);
+  sc_core::sc_in<typename B::raw_t> SC_NAMED(b_i);
+  sc_core::sc_in<uq<1, 0>::raw_t> SC_NAMED(carry_i);
+  sc_core::sc_out<typename S::raw_t> SC_NAMED(s_o);
+
+  SC_CTOR(add) {
+    SC_METHOD(eval);
+    sensitive << a_i << b_i << carry_i;
+  }
+
+  template <class T>
+  static constexpr T law(T a, T b, T carry) {
+    static_assert(S::frac >= A::frac && S::frac >= B::frac, "an adder does not round");
+    return (a << (S::frac - A::frac)) + (b << (S::frac - B::frac)) + carry;
+  }
+
+  template <class Reader>
+  void describe(Reader& reader) const {
+    reader.drive(s_o, law(reader.read(a_i), reader.read(b_i), reader.read(carry_i)));
+  }
+
+ private:
+  void eval() {
+    s_o.write(law<std::int64_t>(a_i.read().to_int64(), b_i.read().to_int64(), carry_i.read().to_int64()));
+  }
+};
+
+}  // namespace blysk

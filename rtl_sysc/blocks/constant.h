@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "rtl_sysc/qformat.h"
+
+namespace blysk {
+
+/// Constant node: wires tied to logic one and zero, y_o = raw.
+///
+/// Instances  node31 (slope), node32 (offset), carry28 (1), carry30 (0) of [P] fig. 1.
+/// Formats    y_o: Q; raw is the integer on the wires.
+/// Timing     none.   Error  none.
+template <class Q>
+SC_MODULE(constant) {
+  sc_core::sc_out<typename Q::raw_t> SC_NAMED(y_o);
+
+  SC_HAS_PROCESS(constant);
+  constant(const sc_core::sc_module_name& name, std::int64_t raw) : sc_core::sc_module(name), raw_(raw) {
+    SC_METHOD(eval);
+  }
+
+  template <class Reader>
+  void describe(Reader& reader) const {
+    reader.drive(y_o, reader.constant(raw_));
+  }
+
+ private:
+  void eval() { y_o.write(raw_); }
+
+  const std::int64_t raw_;
+};
+
+}  // namespace blysk

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "rtl_sysc/blocks/law.h"
+#include "rtl_sysc/qformat.h"
+
+namespace blysk {
+
+/// Multiplier: p_o = a_i * b_i, exact when P keeps all fraction bits, else rounded to nearest (ties up).
+///
+/// Instances  mul6 mul7 mul10 mul12 mul13 mul14 of [P] fig. 1.
+/// Formats    a_i: A, b_i: B, p_o: P; the device asserts that no product overflows P.
+/// Timing     combinational.
+/// Error      0, or 1/2 ulp of P if P::frac < A::frac + B::frac.
+template <class A, class B, class P>
+SC_MODULE(mul) {
+  sc_core::sc_in<typename A::raw_t> SC_NAMED(a_i);
+  sc_core::sc_in<typename B::raw_t> SC_NAMED(b_i);
+  sc_core::sc_out<typename P::raw_t> SC_NAMED(p_o);
+
+  SC_CTOR(mul) {
+    SC_METHOD(eval);
+    sensitive << a_i << b_i;
+  }
+
+  template <class T>
+  static constexpr T law(T a, T b) {
+    return law::round_off<A::frac + B::frac - P::frac>(a * b);
+  }
+
+  template <class Reader>
+  void describe(Reader& reader) const {
+    reader.drive(p_o, law(reader.read(a_i), reader.read(b_i)));
+  }
+
+ private:
+  void eval() { p_o.write(law<std::int64_t>(a_i.read().to_int64(), b_i.read().to_int64())); }
+};
+
+}  // namespace blysk

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "rtl_sysc/blocks/law.h"
+#include "rtl_sysc/qformat.h"
+
+namespace blysk {
+
+/// What a quantise block does with a value outside the range of its result.
+enum class overflow {
+  excluded,  ///< cannot happen; the device asserts it
+  clamp      ///< the nearest end of the range is taken
+};
+
+/// Rounds a_i to the fraction bits of Y, to nearest (ties towards +infinity), and clamps it to Y's range if asked.
+///
+/// Instances  quant11, between adder 11 and multipliers 12..14 of [P] fig. 1 (the figure has none: it does not say
+///            how wide its wires are; the clamp is spec erratum E4).
+/// Formats    a_i: A, y_o: Y with Y::frac <= A::frac.
+/// Timing     combinational.   Error  1/2 ulp of Y; clamping to [0, 1] adds none to a value meant to lie there.
+template <class A, class Y, overflow Overflow>
+SC_MODULE(quantise) {
+  sc_core::sc_in<typename A::raw_t> SC_NAMED(a_i);
+  sc_core::sc_out<typename Y::raw_t> SC_NAMED(y_o);
+
+  SC_CTOR(quantise) {
+    SC_METHOD(eval);
+    sensitive << a_i;
+  }
+
+  template <class T>
+  static constexpr T law(T a) {
+    const T rounded = law::round_off<A::frac - Y::frac>(a);
+    if constexpr (Overflow == overflow::clamp) {
+      using law::select;
+      return select(rounded < T{Y::min}, T{Y::min}, select(rounded > T{Y::max}, T{Y::max}, rounded));
+    } else {
+      return rounded;
+    }
+  }
+
+  template <class Reader>
+  void describe(Reader& reader) const {
+    reader.drive(y_o, law(reader.read(a_i)));
+  }
+
+ private:
+  void eval() { y_o.write(law<std::int64_t>(a_i.read().to_int64())); }
+};
+
+}  // namespace blysk

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "rtl_sysc/qformat.h"
+
+namespace blysk {
+
+/// Register written by the trailing edge of its strobe, sampled on clk.
+///
+/// Instances  rg2 of [P] fig. 1, fig. 3.
+/// Formats    d_i, q_o: Q.   Reset  rst_n low at a rising edge of clk: 0, and no edge is pending.
+/// Timing     q_o changes after the rising edge of clk that saw we_i at zero when the one before saw it at one;
+///            d_i has to hold until then. Pulses between two rising edges of clk are not seen.
+template <class Q>
+SC_MODULE(reg_trailing) {
+  sc_core::sc_in<bool> SC_NAMED(clk);
+  sc_core::sc_in<bool> SC_NAMED(rst_n);
+  sc_core::sc_in<typename Q::raw_t> SC_NAMED(d_i);
+  sc_core::sc_in<bool> SC_NAMED(we_i);
+  sc_core::sc_out<typename Q::raw_t> SC_NAMED(q_o);
+
+  SC_CTOR(reg_trailing) {
+    SC_METHOD(load);
+    sensitive << clk.pos();
+    dont_initialize();
+  }
+
+  /// True at the clock edge that ends the strobe: it was at one, it is at zero.
+  template <class T>
+  static constexpr T law(T we, T we_before) {
+    return we_before && !we;
+  }
+
+  template <class Reader>
+  void describe(Reader& reader) const {
+    const auto we = reader.read(we_i);
+    reader.reg(clk, rst_n, reader.constant(1), we, we_q);
+    reader.reg(clk, rst_n, law(we, reader.read(we_q)), reader.read(d_i), q_o);
+  }
+
+ private:
+  void load() {
+    if (!rst_n.read()) {
+      q_o.write(0);
+      we_q.write(false);
+    } else {
+      we_q.write(we_i.read());
+      if (law<bool>(we_i.read(), we_q.read())) {
+        q_o.write(d_i.read());
+      }
+    }
+  }
+
+  sc_core::sc_signal<bool> SC_NAMED(we_q);  // 17 as the last rising edge of clk saw it
+};
+
+}  // namespace blysk
