@@ -20,7 +20,7 @@ logged() {
     "$@" >"$root/$log" 2>&1 </dev/null || status=$?
   fi
   [ "$status" = 0 ] && return
-  tail -n 15 "$root/$log" | sed 's/^/  | /' >&2
+  tail -n 30 "$root/$log" | sed 's/^/  | /' >&2
   say "that failed; the whole log is in $log"
   return 1
 }
@@ -29,4 +29,16 @@ show_newest_line() {
   local line
   while IFS= read -r line; do printf '\r\033[K  %.75s' "$line" >&2; done
   printf '\r\033[K' >&2
+}
+
+wants_help() { [ "${1:-}" = --help ] || [ "${1:-}" = -h ]; }
+
+# Configures build/ where that was not done yet, and builds.
+build() {
+  if [ ! -f "$root/build/build.ninja" ]; then
+    say "configuring build/"
+    logged configure cmake -S "$root" --preset release || exit 1
+  fi
+  say "building"
+  logged build cmake --build "$root/build" || exit 1
 }
