@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <systemc>
+#include <type_traits>
 
 namespace blysk {
 
@@ -36,6 +37,12 @@ template <int Frac>
 struct unit : uq<1, Frac> {
   static constexpr std::int64_t max = std::int64_t{1} << Frac;
 };
+
+/// Format of the exact product of an A and a B: integer and fraction bits add.
+template <class A, class B>
+using product_of = std::conditional_t<A::is_signed || B::is_signed,
+                                      sq<A::width + B::width - A::frac - B::frac - 1, A::frac + B::frac>,
+                                      uq<A::width + B::width - A::frac - B::frac, A::frac + B::frac>>;
 
 /// True if every raw value of [lo, hi] has its own code in format Q.
 template <class Q>

@@ -1,25 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What all ways of computing a device have in common: its options, a batch of writes, their results.
+/// What all ways of computing a device have in common: a batch of writes and their results.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
-#include <memory>
-#include <span>
-#include <string>
-#include <string_view>
 #include <vector>
 
 namespace blysk {
-
-/// A device as its user asks for it; every wire is decided by these.
-struct device_options {
-  std::string device = "quadratic";
-  std::string format = "q16";
-  std::string coefficient = "derived";  ///< published | derived
-  std::string constant;                 ///< fraction bits wired at node 31 ("11001001"); empty: the line's own, rounded
-  bool as_published = false;            ///< keep the parabola's negative lobe (spec erratum E4)
-};
 
 /// Writes to a device's registers, element i of each array is write i; all arrays have the same length.
 struct batch {

@@ -23,6 +23,8 @@ SC_MODULE(mul) {
     sensitive << a_i << b_i;
   }
 
+  using exact = product_of<A, B>;  // what T has to hold
+
   template <class T>
   static constexpr T law(T a, T b) {
     return law::round_off<A::frac + B::frac - P::frac>(a * b);
