@@ -28,7 +28,7 @@ endif()
 if(NOT TARGET SystemC::systemc AND systemc_home)  # as autotools installs it
   find_path(systemc_include systemc NO_CACHE NO_DEFAULT_PATH PATHS "${systemc_home}/include")
   find_library(systemc_library NAMES libsystemc.a systemc NO_CACHE NO_DEFAULT_PATH
-    PATHS "${systemc_home}" PATH_SUFFIXES lib lib64 lib-linux64 lib-linuxaarch64)
+    PATHS "${systemc_home}" PATH_SUFFIXES lib lib64 lib-linux64 lib-linuxaarch64 lib/${CMAKE_LIBRARY_ARCHITECTURE})
   if(systemc_include AND systemc_library)
     find_package(Threads REQUIRED)
     add_library(SystemC::systemc UNKNOWN IMPORTED)
