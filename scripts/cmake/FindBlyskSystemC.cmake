@@ -27,8 +27,8 @@ endif()
 
 if(NOT TARGET SystemC::systemc AND systemc_home)  # as autotools installs it
   find_path(systemc_include systemc NO_CACHE NO_DEFAULT_PATH PATHS "${systemc_home}/include")
-  find_library(systemc_library systemc NO_CACHE NO_DEFAULT_PATH
-    PATHS "${systemc_home}" PATH_SUFFIXES lib lib64 lib-linux64 lib-linuxaarch64)
+  find_library(systemc_library NAMES libsystemc.a systemc NO_CACHE NO_DEFAULT_PATH
+    PATHS "${systemc_home}" PATH_SUFFIXES lib lib64 lib-linux64 lib-linuxaarch64 lib/${CMAKE_LIBRARY_ARCHITECTURE})
   if(systemc_include AND systemc_library)
     find_package(Threads REQUIRED)
     add_library(SystemC::systemc UNKNOWN IMPORTED)
@@ -44,6 +44,12 @@ if(NOT TARGET SystemC::systemc)
     "SYSTEMC_HOME to an installed SystemC (built for C++${CMAKE_CXX_STANDARD}).")
 endif()
 message(STATUS "SystemC: ${systemc_origin}")
+
+# A shared SystemC refers to an sc_main, and tests have none.
+get_target_property(systemc_type SystemC::systemc TYPE)
+if(NOT systemc_type STREQUAL STATIC_LIBRARY)
+  target_link_options(SystemC::systemc INTERFACE LINKER:--allow-shlib-undefined)
+endif()
 
 # SystemC's symbols carry the C++ standard that it was built with, so try.
 if(NOT BLYSK_SYSTEMC_CHECKED STREQUAL systemc_origin)
