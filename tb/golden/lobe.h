@@ -3,6 +3,7 @@
 /// tests go through.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <span>
 #include <string_view>
@@ -33,6 +34,38 @@ enum class lobe {
   gx,
   rational,
 };
+
+struct named_lobe {
+  lobe which;
+  std::string_view name;  ///< as in the registry
+};
+
+/// Every lobe, in the order of the enumeration.
+inline constexpr std::array kLobes{
+    named_lobe{lobe::blinn, "blinn"},
+    named_lobe{lobe::blinn_normalised, "blinn-normalised"},
+    named_lobe{lobe::schlick, "schlick"},
+    named_lobe{lobe::schlick_modified, "schlick-modified"},
+    named_lobe{lobe::schlick_modified_a, "schlick-modified-a"},
+    named_lobe{lobe::schlick_modified_b, "schlick-modified-b"},
+    named_lobe{lobe::schlick_modified_c, "schlick-modified-c"},
+    named_lobe{lobe::quadratic_exact, "quadratic-exact"},
+    named_lobe{lobe::quadratic_published, "quadratic-published"},
+    named_lobe{lobe::quadratic_derived, "quadratic-derived"},
+    named_lobe{lobe::quadratic_energy_safe, "quadratic-energy-safe"},
+    named_lobe{lobe::cosine_quadratic, "cosine-quadratic"},
+    named_lobe{lobe::cosine_quadratic_energy, "cosine-quadratic-energy"},
+    named_lobe{lobe::cosine_quadratic_energy_safe, "cosine-quadratic-energy-safe"},
+    named_lobe{lobe::lyon_2, "lyon-2"},
+    named_lobe{lobe::lyon_4, "lyon-4"},
+    named_lobe{lobe::lyon_8, "lyon-8"},
+    named_lobe{lobe::gx, "gx"},
+    named_lobe{lobe::rational, "rational"},
+};
+
+constexpr std::string_view name_of(lobe which) {
+  return std::ranges::find(kLobes, which, &named_lobe::which)->name;
+}
 
 /// Calls use(f) with f(c) the given lobe at exponent n; what depends on n alone is computed once, before.
 /// \return  what use returns

@@ -124,15 +124,24 @@ Real cosine_quadratic_energy_safe(const Real& n, const Real& c) {
   return (n + 1) / (8 * boost::math::constants::pi<Real>()) * cosine_quadratic(n, c);
 }
 
-/// (1 - n (1 - c) / K)^K, zero beyond its root c = 1 - K/n; K = 2, 4, 8 by squaring.
-/// R. Lyon, Phong Shading Reformulation for Hardware Renderer Simplification, Apple TR 43, 1993. In [0, 1].
+/// x^K, K a power of two, by squaring.
+template <int K, class Real>
+Real squared(const Real& x) {
+  static_assert(K >= 1 && (K & (K - 1)) == 0);
+  if constexpr (K == 1) {
+    return x;
+  } else {
+    const Real root = squared<K / 2>(x);
+    return root * root;
+  }
+}
+
+/// (1 - n (1 - c) / K)^K, zero beyond its root c = 1 - K/n; K = 2, 4, 8. In [0, 1].
+/// R. Lyon, Phong Shading Reformulation for Hardware Renderer Simplification, Apple TR 43, 1993.
 template <int K, class Real>
 Real lyon(const Real& n, const Real& c) {
-  static_assert(K >= 2 && (K & (K - 1)) == 0, "squarings alone form the power");
-  Real power = 1 - n * (1 - c) / K;
-  if (!(power > 0)) return Real(0);
-  for (int k = 1; k < K; k *= 2) power *= power;
-  return power;
+  const Real root_distance = 1 - n * (1 - c) / K;
+  return root_distance > 0 ? squared<K>(root_distance) : Real(0);
 }
 
 /// c^2 / (n/2 + (1 - n/2) c^2), the quadratic over quadratic of the GameCube's GX lighting unit.

@@ -50,8 +50,8 @@ double checked_lobe(inputs_t in) {
 }
 
 template <lobe Which>
-constexpr model lobe_row(std::string_view name, std::string_view formula, std::string_view source) {
-  return {name, "n,cos", formula, source, checked_lobe<Which>};
+constexpr model lobe_row(std::string_view formula, std::string_view source) {
+  return {name_of(Which), "n,cos", formula, source, checked_lobe<Which>};
 }
 
 double checked_angle(inputs_t in) {
@@ -82,37 +82,30 @@ double checked_angle_coefficient_fitted(inputs_t in) {
 }
 
 constexpr std::array kModels{
-    lobe_row<lobe::blinn>("blinn", "c^n", "[P] (1), [T] (2.11)"),
-    lobe_row<lobe::blinn_normalised>("blinn-normalised", "(n + 6)/(8 pi) c^n", "[T] fig. 2.16"),
-    lobe_row<lobe::schlick>("schlick", "c / (n - n c + c)", "[T] (1.5) (2.1)"),
-    lobe_row<lobe::schlick_modified>("schlick-modified", "c / ((n (1 - c))^2 / 2 + n - n c + c)",
-                                     "[T] (2.2), reading D"),
-    lobe_row<lobe::schlick_modified_a>("schlick-modified-a", "c / (n (1 - c^2) / 2 + n - n c + c)",
-                                       "[T] (2.2), reading A"),
-    lobe_row<lobe::schlick_modified_b>("schlick-modified-b", "c / (n (1 - c)^2 / 2 + n - n c + c)",
-                                       "[T] (2.2), reading B"),
-    lobe_row<lobe::schlick_modified_c>("schlick-modified-c", "c / (n (1 - cos(acos(c)^2)) / 2 + n - n c + c)",
+    lobe_row<lobe::blinn>("c^n", "[P] (1), [T] (2.11)"),
+    lobe_row<lobe::blinn_normalised>("(n + 6)/(8 pi) c^n", "[T] fig. 2.16"),
+    lobe_row<lobe::schlick>("c / (n - n c + c)", "[T] (1.5) (2.1)"),
+    lobe_row<lobe::schlick_modified>("c / ((n (1 - c))^2 / 2 + n - n c + c)", "[T] (2.2), reading D"),
+    lobe_row<lobe::schlick_modified_a>("c / (n (1 - c^2) / 2 + n - n c + c)", "[T] (2.2), reading A"),
+    lobe_row<lobe::schlick_modified_b>("c / (n (1 - c)^2 / 2 + n - n c + c)", "[T] (2.2), reading B"),
+    lobe_row<lobe::schlick_modified_c>("c / (n (1 - cos(acos(c)^2)) / 2 + n - n c + c)",
                                        "[T] (2.2), reading C"),
-    lobe_row<lobe::quadratic_exact>("quadratic-exact",
-                                    "a (c^2 - c) + c, a = (t^(n-1) - 1)/(t - 1), t = sqrt((n-1)/n)",
+    lobe_row<lobe::quadratic_exact>("a (c^2 - c) + c, a = (t^(n-1) - 1)/(t - 1), t = sqrt((n-1)/n)",
                                     "[P] (3) (6) (9)"),
-    lobe_row<lobe::quadratic_published>("quadratic-published", "a (c^2 - c) + c, a = 0.786 n + 0.5",
-                                        "[P] (3) (6) (10)"),
-    lobe_row<lobe::quadratic_derived>("quadratic-derived", "a (c^2 - c) + c, a = 2 (1 - e^(-1/2)) n - 1/2",
+    lobe_row<lobe::quadratic_published>("a (c^2 - c) + c, a = 0.786 n + 0.5", "[P] (3) (6) (10)"),
+    lobe_row<lobe::quadratic_derived>("a (c^2 - c) + c, a = 2 (1 - e^(-1/2)) n - 1/2",
                                       "[P] (3) (6), (9) expanded"),
     lobe_row<lobe::quadratic_energy_safe>(
-        "quadratic-energy-safe",
         "3 a^2/(4 pi (3 a - 1)) max(0, a (c^2 - c) + c), a = 2 (1 - e^(-1/2)) n - 1/2", "docs/numerics.md"),
-    lobe_row<lobe::cosine_quadratic>("cosine-quadratic", "max(0, (n + 1)/3 (c - 1) + 1)^2", "[T] (2.15)"),
-    lobe_row<lobe::cosine_quadratic_energy>("cosine-quadratic-energy",
-                                            "(n + 6)/24.55 max(0, (n + 1)/3 (c - 1) + 1)^2", "[T] (2.26)"),
-    lobe_row<lobe::cosine_quadratic_energy_safe>(
-        "cosine-quadratic-energy-safe", "(n + 1)/(8 pi) max(0, (n + 1)/3 (c - 1) + 1)^2", "docs/numerics.md"),
-    lobe_row<lobe::lyon_2>("lyon-2", "max(0, 1 - n (1 - c)/2)^2", "Lyon, Apple TR 43"),
-    lobe_row<lobe::lyon_4>("lyon-4", "max(0, 1 - n (1 - c)/4)^4", "Lyon, Apple TR 43"),
-    lobe_row<lobe::lyon_8>("lyon-8", "max(0, 1 - n (1 - c)/8)^8", "Lyon, Apple TR 43"),
-    lobe_row<lobe::gx>("gx", "c^2 / (n/2 + (1 - n/2) c^2)", "GameCube GX lighting"),
-    lobe_row<lobe::rational>("rational", "max(0, 1 - r u) / (1 - r u + s u), u = 1 - c, r and s by n",
+    lobe_row<lobe::cosine_quadratic>("max(0, (n + 1)/3 (c - 1) + 1)^2", "[T] (2.15)"),
+    lobe_row<lobe::cosine_quadratic_energy>("(n + 6)/24.55 max(0, (n + 1)/3 (c - 1) + 1)^2", "[T] (2.26)"),
+    lobe_row<lobe::cosine_quadratic_energy_safe>("(n + 1)/(8 pi) max(0, (n + 1)/3 (c - 1) + 1)^2",
+                                                 "docs/numerics.md"),
+    lobe_row<lobe::lyon_2>("max(0, 1 - n (1 - c)/2)^2", "Lyon, Apple TR 43"),
+    lobe_row<lobe::lyon_4>("max(0, 1 - n (1 - c)/4)^4", "Lyon, Apple TR 43"),
+    lobe_row<lobe::lyon_8>("max(0, 1 - n (1 - c)/8)^8", "Lyon, Apple TR 43"),
+    lobe_row<lobe::gx>("c^2 / (n/2 + (1 - n/2) c^2)", "GameCube GX lighting"),
+    lobe_row<lobe::rational>("max(0, 1 - r u) / (1 - r u + s u), u = 1 - c, r and s by n",
                              "docs/numerics.md"),
     model{"angle", "n,k,q,x", "cos^k(acos(q^(1/k)) / acos(q^(1/n)) x), zero from the root on",
           "[A], 4th formula", checked_angle},
