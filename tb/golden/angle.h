@@ -6,7 +6,7 @@
 #pragma once
 
 #include <boost/math/constants/constants.hpp>
-#include <boost/math/quadrature/tanh_sinh.hpp>
+#include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <cmath>
 
 namespace blysk::golden {
@@ -44,18 +44,17 @@ Real angle_lobe(const Real& n, const Real& k, const Real& q, const Real& x) {
 }
 
 /// Int = integral from 0 to `limit` of cos^k(angle_scale x) cos x sin x dx, `limit` <= angle_limit.   [A]
+/// Gauss-Kronrod, 61 points, in y = angle_scale x, where the integrand is smooth.
 template <class Real>
 Real angle_integral(const Real& n, const Real& k, const Real& q, const Real& limit) {
   using std::cos;
   using std::pow;
   using std::sin;
-  thread_local boost::math::quadrature::tanh_sinh<Real> integrator;  // its levels of nodes are computed once
   const Real scale = angle_scale(n, k, q);
-  const auto integrand = [&](const Real& x) {
-    const Real base = cos(Real(scale * x));
-    return base > 0 ? Real(pow(base, k) * sin(Real(2 * x)) / 2) : Real(0);
-  };
-  return integrator.integrate(integrand, Real(0), limit);
+  const auto integrand = [&](const Real& y) { return Real(pow(Real(cos(y)), k) * sin(Real(2 * y / scale))); };
+  return boost::math::quadrature::gauss_kronrod<Real, 61>::integrate(integrand, Real(0),
+                                                                     Real(scale * limit)) /
+         (2 * scale);
 }
 
 /// 1 / (2 pi Int), Int up to angle_limit as [A] has it, even where that passes pi/2.   [A]

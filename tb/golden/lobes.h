@@ -75,10 +75,33 @@ Real schlick_modified(schlick_reading reading, const Real& n, const Real& c) {
 }
 
 /// a (c^2 - c) + c = c (1 - a (1 - c)), the second form so that the root is sharp.   [P] (3) (6)
-/// Not limited: negative for 0 < c < 1 - 1/a, down to -(a - 1)^2 / (4 a). At most 1.
+/// Not limited: negative for 0 < c < 1 - 1/a, down to -(a - 1)^2 / (4a). At most 1.
+/// \param a  coefficient, >= 0
+template <class Real>
+Real quadratic(const Real& a, const Real& c) {
+  return c * (1 - a * (1 - c));
+}
+
+/// The same with a on the given line.   [P] (3) (6) (9) (10)
 template <class Real>
 Real quadratic(coefficient_line line, const Real& n, const Real& c) {
-  return c * (1 - coefficient(line, n) * (1 - c));
+  return quadratic(coefficient(line, n), c);
+}
+
+/// Factor that keeps the reflectance of max(0, quadratic) at or below 1 for every incidence and every a >= 0:
+/// 1 / (8 pi integral_0^1 max(0, a (c^2 - c) + c) dc); docs/numerics.md has the proof.
+template <class Real>
+Real quadratic_energy_factor(const Real& a) {
+  const Real pi = boost::math::constants::pi<Real>();
+  if (a < 1) return 3 / (4 * pi * (3 - a));
+  return 3 * a * a / (4 * pi * (3 * a - 1));
+}
+
+/// quadratic_energy_factor(a) max(0, a (c^2 - c) + c). In [0, quadratic_energy_factor(a)].
+template <class Real>
+Real quadratic_energy_safe(const Real& a, const Real& c) {
+  const Real lobe = quadratic(a, c);
+  return lobe > 0 ? Real(quadratic_energy_factor(a) * lobe) : Real(0);
 }
 
 /// ((n + 1)/3 (c - 1) + 1)^2, zero beyond its root c = 1 - 3/(n + 1).   [T] (2.15). In [0, 1].
@@ -94,15 +117,31 @@ Real cosine_quadratic_energy(const Real& n, const Real& c) {
   return (n + 6) * 100 / 2455 * cosine_quadratic(n, c);
 }
 
-/// (1 - n (1 - c) / K)^K, zero beyond its root c = 1 - K/n; K = 2, 4, 8 by squaring.
-/// R. Lyon, Phong Shading Reformulation for Hardware Renderer Simplification, Apple TR 43, 1993. In [0, 1].
+/// (n + 1)/(8 pi) times the cosine-quadratic: reflectance at or below 1 for every incidence and every n >= 1;
+/// docs/numerics.md has the proof. In [0, (n + 1) / (8 pi)].
+template <class Real>
+Real cosine_quadratic_energy_safe(const Real& n, const Real& c) {
+  return (n + 1) / (8 * boost::math::constants::pi<Real>()) * cosine_quadratic(n, c);
+}
+
+/// x^K, K a power of two, by squaring.
+template <int K, class Real>
+Real squared(const Real& x) {
+  static_assert(K >= 1 && (K & (K - 1)) == 0);
+  if constexpr (K == 1) {
+    return x;
+  } else {
+    const Real root = squared<K / 2>(x);
+    return root * root;
+  }
+}
+
+/// (1 - n (1 - c) / K)^K, zero beyond its root c = 1 - K/n; K = 2, 4, 8. In [0, 1].
+/// R. Lyon, Phong Shading Reformulation for Hardware Renderer Simplification, Apple TR 43, 1993.
 template <int K, class Real>
 Real lyon(const Real& n, const Real& c) {
-  static_assert(K >= 2 && (K & (K - 1)) == 0, "squarings alone form the power");
-  Real power = 1 - n * (1 - c) / K;
-  if (!(power > 0)) return Real(0);
-  for (int k = 1; k < K; k *= 2) power *= power;
-  return power;
+  const Real root_distance = 1 - n * (1 - c) / K;
+  return root_distance > 0 ? squared<K>(root_distance) : Real(0);
 }
 
 /// c^2 / (n/2 + (1 - n/2) c^2), the quadratic over quadratic of the GameCube's GX lighting unit.
@@ -111,6 +150,43 @@ template <class Real>
 Real gx(const Real& n, const Real& c) {
   const Real c2 = c * c;
   return c2 / (n / 2 * (1 - c) * (1 + c) + c2);
+}
+
+/// Rational lobe (1 - r u) / (1 - r u + s u), u = 1 - c: its peak is exactly 1 and it ends at its root u =
+/// 1/r. As (c + p0) / (p1 c + p2): p0 = 1/r - 1, p1 = 1 - s/r, p2 = (1 + s)/r - 1.
+template <class Real>
+struct rational_lobe {
+  Real r;  ///< reciprocal of the distance 1 - c of the root from the peak
+  Real s;  ///< slope at the peak
+
+  /// Meets c^n at the levels 0.507 and 0.057. Where the error of (1 - r y)/(1 - r y + s y) against e^-y,
+  /// the limit of large n, is least in the maximum norm (0.0279), it vanishes at these levels.
+  explicit rational_lobe(const Real& n) {
+    using std::expm1;
+    using std::log;
+    // At level v, u = 1 - v^(1/n):   r u (1 - v) + s u v = 1 - v.
+    const Real v0 = Real(507) / 1000;
+    const Real v1 = Real(57) / 1000;
+    const Real u0 = -expm1(Real(log(v0) / n));
+    const Real u1 = -expm1(Real(log(v1) / n));
+    const Real ratio0 = v0 / (1 - v0);
+    const Real ratio1 = v1 / (1 - v1);
+    s = (1 / u0 - 1 / u1) / (ratio0 - ratio1);
+    r = 1 / u0 - s * ratio0;
+  }
+
+  /// In [0, 1], zero beyond the root.
+  Real operator()(const Real& c) const {
+    const Real u = 1 - c;
+    const Real numerator = 1 - r * u;
+    return numerator > 0 ? Real(numerator / (numerator + s * u)) : Real(0);
+  }
+};
+
+/// rational_lobe(n) at c. In [0, 1].
+template <class Real>
+Real rational(const Real& n, const Real& c) {
+  return rational_lobe<Real>(n)(c);
 }
 
 }  // namespace blysk::golden

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "tb/golden/angle.h"
-#include "tb/golden/lobes.h"
+#include "tb/golden/lobe.h"
 
 namespace blysk::golden {
 namespace {
@@ -41,15 +41,17 @@ void require_level(double k, double q) {
   require(q > 0 && q < 1, "q", q, "a number in (0, 1)");
 }
 
-/// Wraps a formula of (n, cos) as a checked call.
-template <class Formula>
-constexpr auto of_cosine(Formula) {
-  return +[](inputs_t in) {
-    require_count(in, 2);
-    require_n(in[0]);
-    require(in[1] >= 0 && in[1] <= 1, "cos", in[1], "a number in [0, 1]");
-    return Formula{}(in[0], in[1]);
-  };
+template <lobe Which>
+double checked_lobe(inputs_t in) {
+  require_count(in, 2);
+  require_n(in[0]);
+  require(in[1] >= 0 && in[1] <= 1, "cos", in[1], "a number in [0, 1]");
+  return evaluate(Which, in[0], in[1]);
+}
+
+template <lobe Which>
+constexpr model lobe_row(std::string_view formula, std::string_view source) {
+  return {name_of(Which), "n,cos", formula, source, checked_lobe<Which>};
 }
 
 double checked_angle(inputs_t in) {
@@ -80,41 +82,31 @@ double checked_angle_coefficient_fitted(inputs_t in) {
 }
 
 constexpr std::array kModels{
-    model{"blinn", "n,cos", "c^n", "[P] (1), [T] (2.11)",
-          of_cosine([](double n, double c) { return blinn(n, c); })},
-    model{"blinn-normalised", "n,cos", "(n + 6)/(8 pi) c^n", "[T] fig. 2.16",
-          of_cosine([](double n, double c) { return blinn_normalised(n, c); })},
-    model{"schlick", "n,cos", "c / (n - n c + c)", "[T] (1.5) (2.1)",
-          of_cosine([](double n, double c) { return schlick(n, c); })},
-    model{"schlick-modified", "n,cos", "c / ((n (1 - c))^2 / 2 + n - n c + c)", "[T] (2.2), reading D",
-          of_cosine([](double n, double c) { return schlick_modified(schlick_reading::d, n, c); })},
-    model{"schlick-modified-a", "n,cos", "c / (n (1 - c^2) / 2 + n - n c + c)", "[T] (2.2), reading A",
-          of_cosine([](double n, double c) { return schlick_modified(schlick_reading::a, n, c); })},
-    model{"schlick-modified-b", "n,cos", "c / (n (1 - c)^2 / 2 + n - n c + c)", "[T] (2.2), reading B",
-          of_cosine([](double n, double c) { return schlick_modified(schlick_reading::b, n, c); })},
-    model{"schlick-modified-c", "n,cos", "c / (n (1 - cos(acos(c)^2)) / 2 + n - n c + c)",
-          "[T] (2.2), reading C",
-          of_cosine([](double n, double c) { return schlick_modified(schlick_reading::c, n, c); })},
-    model{"quadratic-exact", "n,cos", "a (c^2 - c) + c, a = (t^(n-1) - 1)/(t - 1), t = sqrt((n-1)/n)",
-          "[P] (3) (6) (9)",
-          of_cosine([](double n, double c) { return quadratic(coefficient_line::exact, n, c); })},
-    model{"quadratic-published", "n,cos", "a (c^2 - c) + c, a = 0.786 n + 0.5", "[P] (3) (6) (10)",
-          of_cosine([](double n, double c) { return quadratic(coefficient_line::published, n, c); })},
-    model{"quadratic-derived", "n,cos", "a (c^2 - c) + c, a = 2 (1 - e^(-1/2)) n - 1/2",
-          "[P] (3) (6), (9) expanded",
-          of_cosine([](double n, double c) { return quadratic(coefficient_line::derived, n, c); })},
-    model{"cosine-quadratic", "n,cos", "max(0, (n + 1)/3 (c - 1) + 1)^2", "[T] (2.15)",
-          of_cosine([](double n, double c) { return cosine_quadratic(n, c); })},
-    model{"cosine-quadratic-energy", "n,cos", "(n + 6)/24.55 max(0, (n + 1)/3 (c - 1) + 1)^2", "[T] (2.26)",
-          of_cosine([](double n, double c) { return cosine_quadratic_energy(n, c); })},
-    model{"lyon-2", "n,cos", "max(0, 1 - n (1 - c)/2)^2", "Lyon, Apple TR 43",
-          of_cosine([](double n, double c) { return lyon<2>(n, c); })},
-    model{"lyon-4", "n,cos", "max(0, 1 - n (1 - c)/4)^4", "Lyon, Apple TR 43",
-          of_cosine([](double n, double c) { return lyon<4>(n, c); })},
-    model{"lyon-8", "n,cos", "max(0, 1 - n (1 - c)/8)^8", "Lyon, Apple TR 43",
-          of_cosine([](double n, double c) { return lyon<8>(n, c); })},
-    model{"gx", "n,cos", "c^2 / (n/2 + (1 - n/2) c^2)", "GameCube GX lighting",
-          of_cosine([](double n, double c) { return gx(n, c); })},
+    lobe_row<lobe::blinn>("c^n", "[P] (1), [T] (2.11)"),
+    lobe_row<lobe::blinn_normalised>("(n + 6)/(8 pi) c^n", "[T] fig. 2.16"),
+    lobe_row<lobe::schlick>("c / (n - n c + c)", "[T] (1.5) (2.1)"),
+    lobe_row<lobe::schlick_modified>("c / ((n (1 - c))^2 / 2 + n - n c + c)", "[T] (2.2), reading D"),
+    lobe_row<lobe::schlick_modified_a>("c / (n (1 - c^2) / 2 + n - n c + c)", "[T] (2.2), reading A"),
+    lobe_row<lobe::schlick_modified_b>("c / (n (1 - c)^2 / 2 + n - n c + c)", "[T] (2.2), reading B"),
+    lobe_row<lobe::schlick_modified_c>("c / (n (1 - cos(acos(c)^2)) / 2 + n - n c + c)",
+                                       "[T] (2.2), reading C"),
+    lobe_row<lobe::quadratic_exact>("a (c^2 - c) + c, a = (t^(n-1) - 1)/(t - 1), t = sqrt((n-1)/n)",
+                                    "[P] (3) (6) (9)"),
+    lobe_row<lobe::quadratic_published>("a (c^2 - c) + c, a = 0.786 n + 0.5", "[P] (3) (6) (10)"),
+    lobe_row<lobe::quadratic_derived>("a (c^2 - c) + c, a = 2 (1 - e^(-1/2)) n - 1/2",
+                                      "[P] (3) (6), (9) expanded"),
+    lobe_row<lobe::quadratic_energy_safe>(
+        "3 a^2/(4 pi (3 a - 1)) max(0, a (c^2 - c) + c), a = 2 (1 - e^(-1/2)) n - 1/2", "docs/numerics.md"),
+    lobe_row<lobe::cosine_quadratic>("max(0, (n + 1)/3 (c - 1) + 1)^2", "[T] (2.15)"),
+    lobe_row<lobe::cosine_quadratic_energy>("(n + 6)/24.55 max(0, (n + 1)/3 (c - 1) + 1)^2", "[T] (2.26)"),
+    lobe_row<lobe::cosine_quadratic_energy_safe>("(n + 1)/(8 pi) max(0, (n + 1)/3 (c - 1) + 1)^2",
+                                                 "docs/numerics.md"),
+    lobe_row<lobe::lyon_2>("max(0, 1 - n (1 - c)/2)^2", "Lyon, Apple TR 43"),
+    lobe_row<lobe::lyon_4>("max(0, 1 - n (1 - c)/4)^4", "Lyon, Apple TR 43"),
+    lobe_row<lobe::lyon_8>("max(0, 1 - n (1 - c)/8)^8", "Lyon, Apple TR 43"),
+    lobe_row<lobe::gx>("c^2 / (n/2 + (1 - n/2) c^2)", "GameCube GX lighting"),
+    lobe_row<lobe::rational>("max(0, 1 - r u) / (1 - r u + s u), u = 1 - c, r and s by n",
+                             "docs/numerics.md"),
     model{"angle", "n,k,q,x", "cos^k(acos(q^(1/k)) / acos(q^(1/n)) x), zero from the root on",
           "[A], 4th formula", checked_angle},
     model{"angle-coef-exact", "n,k,q", "1 / (2 pi Int(n, k, q))", "[A], coef",

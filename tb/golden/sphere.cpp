@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/golden/sphere.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace blysk::golden {
+
+std::vector<vec3<double>> sphere_normals(const sphere_scene& scene) {
+  std::vector<vec3<double>> result;
+  const auto coordinate = [&](int pixel) { return ((2 * pixel + 1.0) / scene.side - 1) / scene.radius; };
+  for (int row = 0; row < scene.side; ++row) {
+    for (int column = 0; column < scene.side; ++column) {
+      const double x = coordinate(column);
+      const double y = -coordinate(row);
+      const double z2 = 1 - x * x - y * y;
+      if (z2 > 0) result.push_back({x, y, std::sqrt(z2)});
+    }
+  }
+  return result;
+}
+
+std::vector<double> shade_sphere(const sphere_scene& scene, const illumination<double>& i, lobe which,
+                                 double n) {
+  const vec3<double> half_vec = half_vector(scene.light, scene.view);
+  return with_lobe(which, n, [&](const auto& f) {
+    std::vector<double> picture;
+    for (const auto& normal : sphere_normals(scene)) {
+      const bool lit = faces_both(normal, scene.light, scene.view);
+      const double highlight = lit ? std::max(0.0, f(clamped_cosine(normal, half_vec))) : 0;
+      picture.push_back(lambert(i, normal, scene.light) + i.point_light * i.ks * highlight);
+    }
+    return picture;
+  });
+}
+
+double nmse(std::span<const double> reference, std::span<const double> picture) {
+  double difference = 0;
+  double energy = 0;
+  for (std::size_t i = 0; i < reference.size(); ++i) {
+    difference += (reference[i] - picture[i]) * (reference[i] - picture[i]);
+    energy += reference[i] * reference[i];
+  }
+  return difference / energy;
+}
+
+}  // namespace blysk::golden
