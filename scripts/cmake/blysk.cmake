@@ -6,6 +6,7 @@ target_compile_options(blysk_options INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion
   $<$<BOOL:${BLYSK_WERROR}>:-Werror>)
 
+list(APPEND CMAKE_MODULE_PATH ${Catch2_DIR})
 include(Catch)
 
 # blysk_add_test(AREA.SUBJECT SOURCES a.cpp ... LIBRARIES lib ...)
