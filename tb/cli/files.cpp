@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/cli/files.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+
+namespace blysk::cli {
+namespace {
+
+std::string_view trim(std::string_view text) {
+  const auto first = text.find_first_not_of(" \t");
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
+std::string shown(std::string_view text) {
+  constexpr std::size_t kLongest = 40;
+  return text.size() <= kLongest ? std::string(text) : std::string(text.substr(0, kLongest)) + "...";
+}
+
+template <class Visitor>
+void for_each_field(std::string_view text, Visitor&& visitor) {
+  for (;;) {
+    const auto comma = text.find(',');
+    visitor(trim(text.substr(0, comma)));
+    if (comma == std::string_view::npos) return;
+    text.remove_prefix(comma + 1);
+  }
+}
+
+constexpr std::size_t kBufferBytes = std::size_t{1} << 18;
+
+}  // namespace
+
+usage_error file_error(const std::string& path, std::size_t line, std::string_view what) {
+  return usage_error(fmt::format("{}:{}: {}", path == "-" ? "standard input" : path, line, what));
+}
+
+std::string system_reason() { return errno != 0 ? std::strerror(errno) : "unknown reason"; }
+
+csv_reader::csv_reader(std::string path, std::string_view header) : path_(std::move(path)), buffer_(kBufferBytes) {
+  for_each_field(header, [&](std::string_view name) { names_.emplace_back(name); });
+  if (std::error_code ignored; std::filesystem::is_directory(path_, ignored)) {
+    throw file_error(path_, 0, "is a directory, expected a CSV file");
+  }
+  errno = 0;
+  file_.reset(path_ == "-" ? fdopen(dup(STDIN_FILENO), "rb") : std::fopen(path_.c_str(), "rb"));
+  if (!file_) throw file_error(path_, 0, fmt::format("cannot be read ({}), expected a CSV file", system_reason()));
+  if (!read_line()) throw file_error(path_, 1, fmt::format("is empty, expected the header {}", header));
+  split();
+  if (!std::equal(fields_.begin(), fields_.end(), names_.begin(), names_.end())) {
+    throw error(fmt::format("header is '{}', expected {}", shown(text_), header));
+  }
+}
+
+bool csv_reader::next() {
+  do {
+    if (!read_line()) return false;
+  } while (trim(text_).empty());
+  split();
+  if (fields_.size() != names_.size()) {
+    throw error(fmt::format("row has {} fields, expected {}: {}", fields_.size(), names_.size(),
+                            fmt::join(names_, ",")));
+  }
+  return true;
+}
+
+// Sets text_ to the next line; lines that lie whole in the buffer are not copied.
+bool csv_reader::read_line() {
+  line_.clear();
+  for (;;) {
+    const char* const start = buffer_.data() + begin_;
+    const auto* const newline =
+        begin_ < end_ ? static_cast<const char*>(std::memchr(start, '\n', end_ - begin_)) : nullptr;
+    if (newline != nullptr) {
+      const auto size = static_cast<std::size_t>(newline - start);
+      begin_ += size + 1;
+      if (line_.empty()) {
+        text_ = {start, size};
+      } else {
+        line_.append(start, size);
+        text_ = line_;
+      }
+      break;
+    }
+    line_.append(start, end_ - begin_);
+    errno = 0;
+    begin_ = 0;
+    end_ = std::fread(buffer_.data(), 1, buffer_.size(), file_.get());
+    if (end_ == 0) {
+      if (std::ferror(file_.get()) != 0) {
+        throw file_error(path_, line_number_ + 1, fmt::format("cannot be read ({})", system_reason()));
+      }
+      if (line_.empty()) return false;
+      text_ = line_;
+      break;
+    }
+  }
+  ++line_number_;
+  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+  if (line_number_ == 1 && text_.starts_with(byte_order_mark)) text_.remove_prefix(byte_order_mark.size());
+  if (text_.ends_with('\r')) text_.remove_suffix(1);
+  return true;
+}
+
+void csv_reader::split() {
+  fields_.clear();
+  for_each_field(text_, [&](std::string_view field) { fields_.push_back(field); });
+}
+
+usage_error csv_reader::error(std::size_t column, std::string_view expected) const {
+  return error(fmt::format("{} is '{}', expected {}", names_[column], shown(fields_[column]), expected));
+}
+
+usage_error csv_reader::error(std::string_view what) const { return file_error(path_, line_number_, what); }
+
+output_file::output_file(std::string path, std::string_view ending) : path_(std::move(path)) {
+  std::error_code ignored;
+  const auto status = std::filesystem::status(path_, ignored);
+  errno = 0;
+  if (path_ == "-") {
+    file_.reset(fdopen(dup(STDOUT_FILENO), "wb"));
+  } else if (std::filesystem::is_directory(status)) {
+    throw file_error(path_, 0, "is a directory, expected a file to write");
+  } else if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
+    file_.reset(std::fopen(path_.c_str(), "wb"));
+  } else {
+    temporary_ = fmt::format("{}.{}{}", path_, getpid(), ending);
+    file_.reset(std::fopen(temporary_.c_str(), "wb"));
+  }
+  if (!file_) throw file_error(path_, 0, fmt::format("cannot be written ({})", system_reason()));
+}
+
+output_file::~output_file() {
+  file_.reset();
+  if (!temporary_.empty()) std::remove(temporary_.c_str());
+}
+
+void output_file::write(std::string_view text) {
+  errno = 0;
+  if (std::fwrite(text.data(), 1, text.size(), file_.get()) != text.size()) {
+    throw file_error(path_, line_, fmt::format("cannot be written ({})", system_reason()));
+  }
+  line_ += static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+}
+
+void output_file::commit() {
+  errno = 0;
+  if (std::fclose(file_.release()) != 0) {
+    throw file_error(path_, line_, fmt::format("cannot be written ({})", system_reason()));
+  }
+  if (temporary_.empty()) return;
+  if (std::rename(temporary_.c_str(), path_.c_str()) != 0) {
+    throw file_error(path_, 0, fmt::format("cannot be written ({})", system_reason()));
+  }
+  temporary_.clear();
+}
+
+}  // namespace blysk::cli

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Input and output files of the command line: what is wrong with one is said in one line, and no half-written file
+/// stays behind.
+#pragma once
+
+#include <cstddef>
+#include <cstdio>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace blysk::cli {
+
+/// Bad use or bad input: the program prints "blysk: what()" and exits with status 2.
+class usage_error : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// "FILE:LINE: what is wrong, what was expected"; line 0 stands for the file as a whole.
+usage_error file_error(const std::string& path, std::size_t line, std::string_view what);
+
+/// What the operating system says of the current errno, for the end of a message.
+std::string system_reason();
+
+struct close_file {
+  void operator()(std::FILE* file) const { std::fclose(file); }
+};
+using file_handle = std::unique_ptr<std::FILE, close_file>;
+
+/// CSV with a fixed header, read line by line in constant memory. A byte order mark, CRLF, blanks around fields and
+/// empty lines are tolerated; there is no quoting.
+class csv_reader {
+ public:
+  /// \param path    "-" is standard input
+  /// \param header  column names, separated by commas
+  /// \throws usage_error if the file cannot be read or its first line is not that header
+  csv_reader(std::string path, std::string_view header);
+
+  /// Reads the next row; false at the end of the file.
+  /// \throws usage_error if the row has more or fewer fields than the header
+  bool next();
+
+  /// The fields of the row, valid until the next call of next().
+  const std::vector<std::string_view>& fields() const { return fields_; }
+
+  /// The row's text without the line's end.
+  std::string_view text() const { return text_; }
+
+  /// The error of that row's column, "NAME is 'FIELD', expected ...".
+  usage_error error(std::size_t column, std::string_view expected) const;
+
+  /// The error of the row as a whole.
+  usage_error error(std::string_view what) const;
+
+ private:
+  bool read_line();
+  void split();
+
+  std::string path_;
+  std::vector<std::string> names_;
+  file_handle file_;
+  std::vector<char> buffer_;
+  std::size_t begin_ = 0, end_ = 0;
+  std::string line_;
+  std::string_view text_;
+  std::vector<std::string_view> fields_;
+  std::size_t line_number_ = 0;
+};
+
+/// A result file: written beside its place and moved there by commit(), so that it is there as a whole or not at all.
+/// "-" is standard output; a device such as a terminal is written as it stands.
+class output_file {
+ public:
+  /// \param ending  what the temporary name beside `path` ends with
+  /// \throws usage_error if the file cannot be created
+  explicit output_file(std::string path, std::string_view ending = ".part");
+  ~output_file();
+  output_file(const output_file&) = delete;
+  output_file& operator=(const output_file&) = delete;
+
+  /// \throws usage_error if the text cannot be written
+  void write(std::string_view text);
+
+  /// \throws usage_error if what was written cannot be brought to its place
+  void commit();
+
+  /// Where the text goes until commit(), for libraries that open the file themselves; empty if written in place.
+  const std::string& temporary_path() const { return temporary_; }
+
+ private:
+  std::string path_;
+  std::string temporary_;  // empty if written in place
+  file_handle file_;
+  std::size_t line_ = 1;
+};
+
+}  // namespace blysk::cli

@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/compile.h>
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <stdexcept>
+
+#include "tb/bench/systemc_engine.h"
+#include "tb/bit/quadratic.h"
+#include "tb/cli/engines.h"
+#include "tb/cli/files.h"
+#include "tb/cli/verbs.h"
+#include "tb/golden/lobes.h"
+
+namespace blysk::cli {
+namespace {
+
+struct options {
+  device_options device;
+  std::string engine = "bit";
+  std::string stimulus, results, vcd;
+  bool json = false;
+};
+
+constexpr std::size_t kRowsPerBlock = 8192;
+
+/// What the formula gives for every write of a batch, as reals.
+struct golden_results {
+  std::vector<double> brdf, red, green, blue;
+};
+
+golden::coefficient_line line_of(const std::string& coefficient) {
+  if (coefficient == "published") return golden::coefficient_line::published;
+  if (coefficient == "derived") return golden::coefficient_line::derived;
+  return golden::coefficient_line::exact;
+}
+
+std::int64_t parse_integer(const csv_reader& rows, std::size_t column, int low, int high) {
+  const std::string_view field = rows.fields()[column];
+  int value = 0;
+  const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
+  if (error != std::errc{} || end != field.data() + field.size() || value < low || value > high) {
+    throw rows.error(column, fmt::format("an integer {}..{}", low, high));
+  }
+  return value;
+}
+
+/// cos(delta) as the code that register 2 takes: rounded to nearest, ties up.
+std::uint32_t parse_cosine(const csv_reader& rows, std::size_t column, double scale) {
+  const std::string_view field = rows.fields()[column];
+  double value = 0;
+  const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
+  if (error != std::errc{} || end != field.data() + field.size() || !(value >= 0 && value <= 1)) {
+    throw rows.error(column, "a real number in [0, 1]");
+  }
+  return static_cast<std::uint32_t>(std::floor(value * scale + 0.5));
+}
+
+/// Reads up to kRowsPerBlock rows; an empty batch at the end of the file.
+void read_block(csv_reader& rows, double scale, batch& block) {
+  block.resize(0);
+  while (block.size() < kRowsPerBlock && rows.next()) {
+    block.n.push_back(static_cast<std::uint16_t>(parse_integer(rows, 0, 1, 1000)));
+    block.cos_delta.push_back(parse_cosine(rows, 1, scale));
+    block.red_ks.push_back(static_cast<std::uint8_t>(parse_integer(rows, 2, 0, 255)));
+    block.green_ks.push_back(static_cast<std::uint8_t>(parse_integer(rows, 3, 0, 255)));
+    block.blue_ks.push_back(static_cast<std::uint8_t>(parse_integer(rows, 4, 0, 255)));
+  }
+}
+
+/// Computes blocks of writes with the engine asked for and appends their rows to the text of the results.
+class simulation {
+ public:
+  explicit simulation(const options& asked)
+      : asked_(asked), scale_(std::ldexp(1.0, fraction_bits(asked.device))) {
+    if (asked.engine == "bit") {
+      engine_ = bit::make_quadratic(asked.device);
+    } else if (asked.engine == "systemc") {
+      auto made = bench::make_systemc(asked.device);
+      systemc_ = made.get();
+      engine_ = std::move(made);
+    } else if (!asked.device.constant.empty()) {
+      throw usage_error("--constant is wired in hardware, expected engine bit or systemc");
+    }
+  }
+
+  double scale() const { return scale_; }
+  bench::systemc_engine* systemc() const { return systemc_; }
+
+  void run(const batch& block, fmt::memory_buffer& text) {
+    if (engine_ != nullptr) {
+      engine_->run(block, raw_);
+      for (std::size_t i = 0; i < block.size(); ++i) {
+        append(block, i, real(raw_.brdf[i]), real(raw_.red[i]), real(raw_.green[i]), real(raw_.blue[i]), text);
+      }
+    } else {
+      for (std::size_t i = 0; i < block.size(); ++i) {
+        const double brdf = golden_brdf(block.n[i], block.cos_delta[i] / scale_);
+        append(block, i, brdf, brdf * block.red_ks[i], brdf * block.green_ks[i], brdf * block.blue_ks[i], text);
+      }
+    }
+  }
+
+ private:
+  double real(std::int64_t raw) const { return static_cast<double>(raw) / scale_; }
+
+  double golden_brdf(double n, double c) const {
+    const double brdf = golden::quadratic(line_of(asked_.device.coefficient), n, c);
+    return asked_.device.as_published ? brdf : std::fmin(std::fmax(brdf, 0.0), 1.0);
+  }
+
+  void append(const batch& block, std::size_t i, double brdf, double red, double green, double blue,
+              fmt::memory_buffer& text) const {
+    fmt::format_to(std::back_inserter(text), FMT_COMPILE("{},{},{},{},{},{},{},{},{}\n"), block.n[i],
+                   block.cos_delta[i] / scale_, block.red_ks[i], block.green_ks[i], block.blue_ks[i], brdf, red, green,
+                   blue);
+  }
+
+  const options& asked_;
+  double scale_;
+  std::unique_ptr<engine> engine_;            // null: golden
+  bench::systemc_engine* systemc_ = nullptr;  // engine_ if it is SystemC
+  results raw_;
+};
+
+void check(const options& asked) {
+  const bool hardware = asked.engine != "golden";
+  if (hardware && asked.device.coefficient == "exact") {
+    throw usage_error("--coefficient exact has no wires, expected published or derived, or engine golden");
+  }
+  if (!asked.vcd.empty() && asked.engine != "systemc") {
+    throw usage_error(fmt::format("--vcd records signals and engine {} has none, expected engine systemc", asked.engine));
+  }
+}
+
+void report(const options& asked, std::uint64_t rows, const simulation& simulated) {
+  nlohmann::ordered_json json{{"device", asked.device.device},
+                              {"format", asked.device.format},
+                              {"engine", asked.engine},
+                              {"coefficient", asked.device.coefficient},
+                              {"as_published", asked.device.as_published},
+                              {"rows", rows}};
+  std::string text = fmt::format("{} rows through {} {}, engine {}", rows, asked.device.device, asked.device.format,
+                                 asked.engine);
+  if (simulated.systemc() != nullptr) {
+    const auto cycles = simulated.systemc()->cycles();
+    const double simulated_ns = static_cast<double>(cycles) * bench::kClockPeriodNs;
+    json["cycles"] = cycles;
+    json["writes"] = simulated.systemc()->writes();
+    json["simulated_ns"] = simulated_ns;
+    text += fmt::format(": {} clock cycles, {} ns simulated", cycles, simulated_ns);
+  }
+  fmt::print(asked.results == "-" ? stderr : stdout, "{}\n", asked.json ? json.dump(2) : text);
+}
+
+void run(const options& asked) {
+  check(asked);
+  std::optional<output_file> waves;
+  {
+    std::optional<simulation> simulated;
+    csv_reader rows(asked.stimulus, "n,cos,r,g,b");
+    output_file results(asked.results);
+    simulated.emplace(asked);
+    if (!asked.vcd.empty()) {
+      constexpr std::string_view ending = ".vcd";  // SystemC appends it
+      waves.emplace(asked.vcd, ".part.vcd");
+      const std::string& path = waves->temporary_path();
+      if (path.empty()) throw file_error(asked.vcd, 0, "is no regular file, expected one to write");
+      simulated->systemc()->trace(path.substr(0, path.size() - ending.size()));
+    }
+    batch block;
+    fmt::memory_buffer text;
+    fmt::format_to(std::back_inserter(text), "n,cos,r,g,b,brdf,red,green,blue\n");
+    std::uint64_t count = 0;
+    for (;;) {
+      read_block(rows, simulated->scale(), block);
+      if (block.size() == 0) break;
+      simulated->run(block, text);
+      count += block.size();
+      results.write({text.data(), text.size()});
+      text.clear();
+    }
+    results.write({text.data(), text.size()});
+    results.commit();
+    report(asked, count, *simulated);
+  }
+  if (waves) waves->commit();
+}
+
+}  // namespace
+
+void add_simulate(CLI::App& program) {
+  auto* verb = program.add_subcommand("simulate", "Run a device on the writes of a CSV file");
+  auto asked = std::make_shared<options>();
+  verb->add_option("--device", asked->device.device, "device")
+      ->check(CLI::IsMember(std::vector<std::string>(std::begin(device_names), std::end(device_names))))
+      ->capture_default_str();
+  verb->add_option("--format", asked->device.format, "fraction bits of cos(delta)")
+      ->check(CLI::IsMember(std::vector<std::string>(std::begin(format_names), std::end(format_names))))
+      ->capture_default_str();
+  verb->add_option("--engine", asked->engine, "golden: the formula in double; bit: integers; systemc: the blocks")
+      ->check(CLI::IsMember(std::vector<std::string>(std::begin(engine_names), std::end(engine_names))))
+      ->capture_default_str();
+  verb->add_option("--stimulus", asked->stimulus,
+                   "CSV with the header n,cos,r,g,b: n 1..1000, cos in [0, 1], colours 0..255; - for standard input")
+      ->required();
+  verb->add_option("--results", asked->results,
+                   "CSV to write: the stimulus (cos as quantised) and brdf,red,green,blue; - for standard output")
+      ->required();
+  verb->add_option("--vcd", asked->vcd, "record the waves (engine systemc)");
+  verb->add_option("--coefficient", asked->device.coefficient,
+                   "a = 0.786 n + 0.5 (published), 0.78694 n - 0.5 (derived), formula (9) (exact, engine golden)")
+      ->check(CLI::IsMember({"published", "derived", "exact"}))
+      ->capture_default_str();
+  verb->add_option("--constant", asked->device.constant, "bits wired at node 31 after the point, such as 11001001");
+  verb->add_flag("--as-published", asked->device.as_published, "keep the negative lobe instead of clamping to [0, 1]");
+  verb->add_flag("--json", asked->json, "print the summary as JSON");
+  verb->callback([asked] { run(*asked); });
+}
+
+}  // namespace blysk::cli

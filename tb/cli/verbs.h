@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The verbs of the program: each adds its options to the command line and runs when it is named.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace blysk::cli {
+
+void add_simulate(CLI::App& program);
+void add_model(CLI::App& program);
+void add_list(CLI::App& program);
+
+}  // namespace blysk::cli
