@@ -9,11 +9,11 @@ target_compile_options(blysk_options INTERFACE
 list(APPEND CMAKE_MODULE_PATH ${Catch2_DIR})
 include(Catch)
 
-# blysk_add_test(AREA.SUBJECT SOURCES a.cpp ... LIBRARIES lib ...)
+# blysk_add_test(AREA.SUBJECT SOURCES a.cpp ... LIBRARIES lib ... [LABELS label ...] [ENVIRONMENT VAR=value ...])
 # A Catch2 program; its cases become the ctest tests "AREA.SUBJECT: case", one process each.
-# A case tagged [full] bears the label full, every other one quick.
+# A case tagged [full] bears the label full, every other one quick; LABELS come on top.
 function(blysk_add_test name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;LIBRARIES")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;LIBRARIES;LABELS;ENVIRONMENT")
   add_executable(${name} ${arg_SOURCES})
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR})
   # Catch2 first: a static SystemC has a main of its own, for those who come without one.
@@ -25,8 +25,16 @@ function(blysk_add_test name)
     else()
       set(spec "~[full]")
     endif()
-    catch_discover_tests(${name} TEST_SPEC ${spec} TEST_PREFIX "${name}: "
-                         DISCOVERY_MODE PRE_TEST
-                         PROPERTIES LABELS ${label})
+    catch_discover_tests(${name} TEST_SPEC ${spec} TEST_PREFIX "${name}: " TEST_LIST ${name}_${label}
+                         DISCOVERY_MODE PRE_TEST PROPERTIES LABELS ${label})
+    set(labels ${label} ${arg_LABELS})
+    # catch_discover_tests flattens lists, so what takes a list is set when ctest has read the cases.
+    set(properties_file ${CMAKE_CURRENT_BINARY_DIR}/${name}_${label}_properties.cmake)
+    file(WRITE ${properties_file}
+      "if(${name}_${label})\n"
+      "  set_tests_properties(\${${name}_${label}} PROPERTIES\n"
+      "    LABELS \"${labels}\" ENVIRONMENT \"${arg_ENVIRONMENT}\")\n"
+      "endif()\n")
+    set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES ${properties_file})
   endforeach()
 endfunction()

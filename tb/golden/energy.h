@@ -29,8 +29,7 @@ inline double reflectance_weight(lobe_axis axis, double alpha, double incidence)
   const double a = std::cos(incidence) * std::cos(alpha);
   const double b = std::sin(incidence) * std::sin(alpha);
   // cos(theta_o) > 0  <=>  a + b cos(phi) > horizon
-  const double horizon =
-      axis == lobe_axis::mirror ? 0 : std::cos(incidence) / (2 * std::cos(alpha));
+  const double horizon = axis == lobe_axis::mirror ? 0 : std::cos(incidence) / (2 * std::cos(alpha));
   if (a + b <= horizon) return 0;
   const double phi = a - b >= horizon ? boost::math::constants::pi<double>() : std::acos((horizon - a) / b);
   const double first = a * phi + b * std::sin(phi);  // integral of x from 0 to phi

@@ -116,10 +116,11 @@ Real facets(facet_distribution which, const Real& c, const Real& m) {
     const Real alpha = angle_of_cosine(c);
     return exp(Real(-(alpha / m) * (alpha / m)));
   }
-  if (!(c > 0)) return Real(0);  // the exponential wins over cos^-4
   const Real c2 = c * c;
+  const Real divisor = m * m * c2 * c2;
+  if (!(divisor > 0)) return Real(0);  // c is 0 or underflows, and the exponential wins over c^-4
   const Real tan2 = (1 - c) * (1 + c) / c2;
-  return exp(Real(-tan2 / (m * m))) / (m * m * c2 * c2);
+  return exp(Real(-tan2 / (m * m))) / divisor;
 }
 
 /// Reflectance F of a smooth dielectric for unpolarised light (Cook and Torrance 1982).   In [0, 1].

@@ -1,0 +1,420 @@
+// SPDX-License-Identifier: Apache-2.0
+// Every formula against itself in 50 digits at the very numbers it was given, in float and in double. Bounds
+// are counted from the roundings of each formula and the condition numbers that carry them to the result; a
+// correctly rounded operation counts 1 roundoff, a library function 2 (glibc states below 1 ulp for all
+// used).
+#include <cmath>
+#include <set>
+#include <vector>
+
+#include "tb/catch.h"
+#include "tb/golden/angle.h"
+#include "tb/golden/lobe.h"
+#include "tb/golden/naive.h"
+#include "tb/golden/scene.h"
+#include "tb/golden/test/referee.h"
+
+using namespace blysk::golden;
+
+namespace {
+
+referee positive(const referee& x) {
+  return x > 0 ? x : referee(0);
+}
+
+/// |error| of a(n), in roundoffs.
+referee coefficient_bound(coefficient_line line, const referee& n) {
+  const referee a = abs(coefficient(line, n));
+  switch (line) {
+    case coefficient_line::published:
+      return 3 * a;  // 0.786, *, +
+    case coefficient_line::derived:
+      return 3 * coefficient_slope<referee>() * n + a;  // expm1 and * reach S n
+    case coefficient_line::exact:
+      break;
+  }
+  // n - 1, 1/m, log1p: 4;  m l: 6, expm1: 8;  expm1(l): 6;  the quotient: 15.
+  return 15 * a;
+}
+
+/// Error of x^k for an error e of x >= 0, exactly rather than to first order, as x may be 0.
+referee power_bound(const referee& x, const referee& e, int k, const referee& unit) {
+  return (pow(x + e * unit, k) - pow(x, k)) / unit;
+}
+
+/// |error| of a lobe, in roundoffs of size `unit`.
+referee lobe_bound(lobe which, const referee& n, const referee& c, const referee& unit) {
+  const referee u = 1 - c;
+  const referee f = abs(evaluate(which, n, c));
+  const auto quadratic_bound = [&](coefficient_line line) {
+    // c (1 - a u): 1 - c and the product reach a u, the subtraction and the last product the result.
+    const referee a = coefficient(line, n);
+    return c * u * (coefficient_bound(line, n) + 2 * a) + 2 * abs(quadratic(a, c));
+  };
+  const auto cosine_quadratic_bound = [&] {
+    // (n+1)/3 (1-c): 4 roundings; the subtraction 1; then the square.
+    const referee drop = (n + 1) / 3 * u;
+    return power_bound(positive(1 - drop), 4 * drop + abs(1 - drop), 2, unit) + cosine_quadratic(n, c);
+  };
+  const auto lyon_bound = [&](int k) {
+    const referee drop = n * u / k;  // 1-c and the product
+    return power_bound(positive(1 - drop), 2 * drop + abs(1 - drop), k, unit) + (k - 1) * f;
+  };
+  switch (which) {
+    case lobe::blinn:
+      return 2 * f;  // pow
+    case lobe::blinn_normalised:
+      return 6 * f;  // n + 6, pi, /, pow, *
+    case lobe::schlick:
+      return 4 * f;  // 1-c, *, +, /; no term is negative, so none amplifies
+    case lobe::schlick_modified_a:
+      return 7 * f;  // term 4, two sums, /
+    case lobe::schlick_modified_b:
+      return 7 * f;
+    case lobe::schlick_modified:
+      return 8 * f;  // term 5
+    // 1-c 1, sqrt 1.5, asin 1.27 * 1.5 + 2 < 4, gamma^2 9, sin 11, its square and n 24, two sums, /.
+    case lobe::schlick_modified_c:
+      return 27 * f;
+    case lobe::quadratic_exact:
+      return quadratic_bound(coefficient_line::exact);
+    case lobe::quadratic_published:
+      return quadratic_bound(coefficient_line::published);
+    case lobe::quadratic_derived:
+      return quadratic_bound(coefficient_line::derived);
+    case lobe::quadratic_energy_safe: {
+      // The factor: 8 roundings at most, and a's error through a condition number below 1.
+      const referee a = coefficient(coefficient_line::derived, n);
+      const referee factor_bound = 8 + coefficient_bound(coefficient_line::derived, n) / a;
+      return (factor_bound + 1) * f + quadratic_energy_factor(a) * quadratic_bound(coefficient_line::derived);
+    }
+    case lobe::cosine_quadratic:
+      return cosine_quadratic_bound();
+    case lobe::cosine_quadratic_energy:
+      return 4 * f + (n + 6) * 100 / 2455 * cosine_quadratic_bound();
+    case lobe::cosine_quadratic_energy_safe:
+      return 4 * f + (n + 1) / (8 * boost::math::constants::pi<referee>()) * cosine_quadratic_bound();
+    case lobe::lyon_2:
+      return lyon_bound(2);
+    case lobe::lyon_4:
+      return lyon_bound(4);
+    case lobe::lyon_8:
+      return lyon_bound(8);
+    case lobe::gx:
+      return 7 * f;  // c^2 1; the other term 4, the sum 5; /
+    case lobe::rational:
+      break;
+  }
+  // u_i = -expm1(log(v_i)/n): v_0's rounding through log 1.5, log 2, / 1, expm1 2: 6.5 < 7, and 8 for 1/u_i.
+  // With 1/u_0 <= 2.03 n, 1/u_1 <= 1.07 n: s within 8 * 3.1 n / 0.97 + 7 s < 35 n, as s >= n, and
+  // r within 8 * 2.03 n + 1.03 (35 n + 3 s) + r < 60 n, as s < 1.17 n and r <= n.
+  const rational_lobe<referee> fit(n);
+  const referee numerator = positive(1 - fit.r * u);
+  const referee denominator = numerator + fit.s * u;
+  const referee numerator_bound = u * (60 * n + 2 * fit.r) + abs(1 - fit.r * u);
+  return denominator > 0 ? (fit.s * u * numerator_bound + numerator * u * (35 * n + 2 * fit.s)) /
+                                   (denominator * denominator) +
+                               2 * f
+                         : referee(0);
+}
+
+template <class Real>
+std::vector<Real> hard_exponents() {
+  const Real above = std::nextafter(Real(1), Real(2));
+  return {1, above, Real(1.5), 2, 3, 10, 100, 170, 999, std::nextafter(Real(1000), Real(0)), 1000};
+}
+
+/// The ends, one code below 1 for several widths, subnormal cosines, the inflection point, and the neighbours
+/// of every lobe's root.
+template <class Real>
+std::set<Real> hard_cosines(Real n) {
+  std::set<Real> result{0,
+                        1,
+                        Real(0.1),
+                        Real(0.5),
+                        std::numeric_limits<Real>::denorm_min(),
+                        std::numeric_limits<Real>::min(),
+                        std::nextafter(Real(1), Real(0))};
+  for (const int bits : {8, 12, 15, 18, 23}) result.insert(1 - std::ldexp(Real(1), -bits));
+  std::vector<Real> edges{std::sqrt((n - 1) / n),          1 - 3 / (n + 1), 1 - 2 / n, 1 - 4 / n, 1 - 8 / n,
+                          1 - 1 / rational_lobe<Real>(n).r};
+  for (const auto line : {coefficient_line::published, coefficient_line::derived, coefficient_line::exact})
+    edges.push_back(1 - 1 / coefficient(line, n));
+  for (const Real edge : edges) {
+    for (const Real c : {std::nextafter(edge, Real(-2)), edge, std::nextafter(edge, Real(2))})
+      if (c >= 0 && c <= 1) result.insert(c);
+  }
+  return result;
+}
+
+template <class Real, class Exact>
+void check_against(Real computed, const Exact& exact, const referee& roundoffs) {
+  const referee error = abs(referee(computed) - exact);
+  INFO("error in roundoffs " << static_cast<double>(error / roundoff<Real>()) << ", allowed "
+                             << static_cast<double>(roundoffs));
+  REQUIRE(std::isfinite(computed));
+  REQUIRE(error <= allowed_error<Real>(roundoffs));
+}
+
+bool may_exceed_one(lobe which) {
+  return which == lobe::blinn_normalised || which == lobe::quadratic_energy_safe ||
+         which == lobe::cosine_quadratic_energy || which == lobe::cosine_quadratic_energy_safe;
+}
+
+bool may_be_negative(lobe which) {
+  return which == lobe::quadratic_exact || which == lobe::quadratic_published ||
+         which == lobe::quadratic_derived;
+}
+
+}  // namespace
+
+TEMPLATE_TEST_CASE("every lobe keeps its error bound and range at the hard points", "[stability]", float,
+                   double) {
+  for (const auto& [which, name] : kLobes) {
+    for (const TestType n : hard_exponents<TestType>()) {
+      referee previous = 0;
+      referee previous_bound = 0;
+      bool first = true;
+      for (const TestType c : hard_cosines(n)) {
+        CAPTURE(name, n, c);
+        const TestType value = evaluate(which, n, c);
+        const referee bound = lobe_bound(which, referee(n), referee(c), roundoff<TestType>());
+        check_against(value, evaluate(which, referee(n), referee(c)), bound);
+        if (!may_exceed_one(which)) REQUIRE(value <= 1);
+        if (!may_be_negative(which)) {
+          REQUIRE(value >= 0);
+          // Rising in c, but for the two roundings.
+          if (!first) REQUIRE(referee(value) + allowed_error<TestType>(bound + previous_bound) >= previous);
+        }
+        previous = value;
+        previous_bound = bound;
+        first = false;
+      }
+    }
+  }
+}
+
+TEMPLATE_TEST_CASE("every lobe that peaks at 1 does so exactly", "[stability]", float, double) {
+  for (const auto& [which, name] : kLobes) {
+    if (may_exceed_one(which)) continue;
+    for (const TestType n : hard_exponents<TestType>()) {
+      CAPTURE(name, n);
+      CHECK(evaluate(which, n, TestType(1)) == 1);
+    }
+  }
+}
+
+TEMPLATE_TEST_CASE("the coefficient keeps its bound on each line", "[stability]", float, double) {
+  for (const auto line : {coefficient_line::published, coefficient_line::derived, coefficient_line::exact}) {
+    for (const TestType n : hard_exponents<TestType>()) {
+      CAPTURE(static_cast<int>(line), n);
+      check_against(coefficient(line, n), coefficient(line, referee(n)), coefficient_bound(line, referee(n)));
+    }
+    for (int n = 1; n <= 1000; ++n) {
+      CAPTURE(static_cast<int>(line), n);
+      check_against(coefficient(line, TestType(n)), coefficient(line, referee(n)),
+                    coefficient_bound(line, referee(n)));
+    }
+  }
+  CHECK(exact_coefficient(TestType(1)) == 0);
+}
+
+TEST_CASE("a graceful underflow: c^n below the smallest normal number", "[stability]") {
+  CHECK(blinn(1000.0F, 0.5F) == 0.0F);
+  CHECK(blinn(1000.0, 0.5) == std::ldexp(1.0, -1000));
+  CHECK(blinn(140.0F, 0.5F) == std::ldexp(1.0F, -140));  // subnormal in single precision
+}
+
+TEMPLATE_TEST_CASE("the angle of a level keeps its bound", "[stability]", float, double) {
+  const TestType below_one = std::nextafter(TestType(1), TestType(0));
+  for (const TestType n : hard_exponents<TestType>()) {
+    for (const TestType q : {std::numeric_limits<TestType>::min(), TestType(1e-6), TestType(0.1),
+                             TestType(0.5), TestType(0.9), TestType(0.999), below_one}) {
+      CAPTURE(n, q);
+      const referee exact = angle_of_level(referee(n), referee(q));
+      // log 2, / 1, expm1 2; sqrt halves and adds 1; asin below sqrt(1/2) passes 1.27 and adds 2: 6.5.
+      check_against(angle_of_level(n, q), exact, 7 * exact);
+    }
+  }
+}
+
+TEMPLATE_TEST_CASE("the angle-based lobe keeps its bound, also beside its root", "[stability]", float,
+                   double) {
+  const TestType below_one = std::nextafter(TestType(1), TestType(0));
+  const TestType half_pi = boost::math::constants::half_pi<TestType>();
+  for (const TestType n : hard_exponents<TestType>()) {
+    for (const TestType q : {TestType(1e-6), TestType(0.1), TestType(0.5), TestType(0.9), below_one}) {
+      for (const int k : {1, 2, 3, 4, 5}) {
+        const TestType root = angle_limit(n, TestType(k), q);
+        for (const TestType x : {TestType(0), TestType(1e-3), root / 3, std::nextafter(root, TestType(0)),
+                                 root, std::nextafter(root, TestType(4)), half_pi}) {
+          if (x > half_pi) continue;
+          CAPTURE(n, q, k, x);
+          const TestType value = angle_lobe(n, TestType(k), q, x);
+          const referee y = angle_scale(referee(n), referee(k), referee(q)) * x;
+          const referee c = positive(cos(y));
+          // y: two angles and a quotient 15, the product 16; half pi itself 1; cos passes sin(y) and adds 2.
+          const referee cosine_bound = 17 * y * abs(sin(y)) + 2 * c;
+          const referee exact = angle_lobe(referee(n), referee(k), referee(q), referee(x));
+          check_against(value, exact, power_bound(c, cosine_bound, k, roundoff<TestType>()) + 2 * exact);
+          REQUIRE(value >= 0);
+          REQUIRE(value <= 1);
+        }
+      }
+    }
+  }
+}
+
+TEMPLATE_TEST_CASE("the exact normalisation keeps its bound", "[stability]", float, double) {
+  const TestType below_one = std::nextafter(TestType(1), TestType(0));
+  for (const TestType n : {TestType(1), TestType(2), TestType(3), TestType(5), TestType(1000)}) {
+    for (const TestType q : {TestType(1e-6), TestType(0.1), TestType(0.5), TestType(0.9), below_one}) {
+      for (const int k : {1, 2, 5}) {
+        CAPTURE(n, q, k);
+        const referee exact = angle_coefficient_exact(referee(n), referee(k), referee(q));
+        // Condition number of coef to the scale s of the angle, by a central difference in 50 digits.
+        const auto coef_at = [&](const referee& factor) {
+          const referee s = angle_scale(referee(n), referee(k), referee(q)) * factor;
+          const auto integrand = [&](const referee& y) { return referee(pow(cos(y), k) * sin(2 * y / s)); };
+          return 2 * s /
+                 boost::math::quadrature::gauss_kronrod<referee, 61>::integrate(
+                     integrand, referee(0), boost::math::constants::half_pi<referee>());
+        };
+        const referee h("1e-12");
+        const referee condition = abs((coef_at(1 + h) - coef_at(1 - h)) / (2 * h) / coef_at(1));
+        // s 15; nodes 4 through both factors; pow 2 and cos 2 k; sin 2; product, weight 3; 31 sums; ends 4.
+        const referee bound = 15 * condition + 4 * (1 + condition) + 2 + 2 * k + 2 + 3 + 31 + 4;
+        check_against(angle_coefficient_exact(n, TestType(k), q), exact, bound * abs(exact));
+      }
+    }
+  }
+}
+
+TEMPLATE_TEST_CASE("the angle of a cosine keeps its bound", "[stability]", float, double) {
+  for (const TestType c : hard_cosines<TestType>(1000)) {
+    CAPTURE(c);
+    const referee exact = angle_of_cosine(referee(c));
+    check_against(angle_of_cosine(c), exact, 6 * exact);  // 1-c 1, sqrt 1.5, asin 1.27 * 1.5 + 2
+  }
+}
+
+// What the stable forms are for: at each point the literal form exceeds the stable form's whole bound.
+
+TEMPLATE_TEST_CASE("literal (9) loses the digits that the stable form keeps", "[stability][naive]", float,
+                   double) {
+  // t - 1 is about -1/(2n) and carries the roundoffs of t, so up to some 2 n roundoffs reach a.
+  referee worst = 0;
+  for (int n = 2; n <= 1000; ++n) {
+    const referee exact = exact_coefficient(referee(n));
+    const referee error = abs(referee(naive::exact_coefficient(TestType(n))) - exact);
+    const referee ratio = error / allowed_error<TestType>(coefficient_bound(coefficient_line::exact, n));
+    worst = ratio > worst ? ratio : worst;
+  }
+  CHECK(worst > 10);
+}
+
+TEMPLATE_TEST_CASE("literal acos(q^(1/n)) loses digits for large n and for q near 1", "[stability][naive]",
+                   float, double) {
+  const auto loses = [](TestType n, TestType q) {
+    const referee exact = angle_of_level(referee(n), referee(q));
+    const referee error = abs(referee(naive::angle_of_level(n, q)) - exact);
+    CAPTURE(n, q, static_cast<double>(error / roundoff<TestType>() / exact));
+    CHECK(error > allowed_error<TestType>(7 * exact));
+  };
+  loses(1000, TestType(0.9));
+  loses(1000, TestType(0.5));
+  loses(10, TestType(0.9999));
+}
+
+TEMPLATE_TEST_CASE("literal denominators and the expanded parabola lose digits", "[stability][naive]", float,
+                   double) {
+  // Largest error of the literal form in units of the stable form's bound, over cosines near the peak.
+  const auto worst = [](auto literal, lobe which, TestType n) {
+    referee result = 0;
+    for (int i = 1; i < 256; ++i) {
+      const TestType c = 1 - TestType(i) / 5000;  // not dyadic, or n c would be exact
+      const referee bound =
+          allowed_error<TestType>(lobe_bound(which, referee(n), referee(c), roundoff<TestType>()));
+      const referee ratio = abs(referee(literal(n, c)) - evaluate(which, referee(n), referee(c))) / bound;
+      result = ratio > result ? ratio : result;
+    }
+    return static_cast<double>(result);
+  };
+  CHECK(worst([](TestType n, TestType c) { return naive::schlick(n, c); }, lobe::schlick, 999) > 1);
+  CHECK(worst([](TestType n, TestType c) { return naive::gx(n, c); }, lobe::gx, 999) > 1);
+  const auto expanded = [](TestType n, TestType c) {
+    return naive::quadratic(coefficient(coefficient_line::derived, n), c);
+  };
+  CHECK(worst(expanded, lobe::quadratic_derived, 999) > 1);
+}
+
+// Vectors.
+
+TEMPLATE_TEST_CASE("opposite light and view give no highlight and no NaN", "[stability]", float, double) {
+  using vec = vec3<TestType>;
+  for (const vec& v : {vec{0, 0, 1}, vec{1, 2, 3}, vec{-5, TestType(0.1), TestType(1e-3)}}) {
+    const vec light = normalised(v);
+    for (const TestType scale : {TestType(-1), TestType(-1) - std::numeric_limits<TestType>::epsilon()}) {
+      const vec half_vec = half_vector(light, scale * light);
+      CHECK(dot(half_vec, half_vec) == 0);
+      CHECK(dot(light, half_vec) == 0);
+    }
+  }
+}
+
+TEMPLATE_TEST_CASE("lighting is finite and not negative in every position of light and view", "[stability]",
+                   float, double) {
+  using vec = vec3<TestType>;
+  const vec normal{0, 0, 1};
+  const illumination<TestType> i{1, 1, TestType(0.1), TestType(0.6), TestType(0.3)};
+  const TestType tiny = std::numeric_limits<TestType>::min();
+  std::vector<vec> directions{normal,
+                              {0, 0, -1},
+                              {1, 0, 0},
+                              {-1, 0, 0},
+                              normalised(vec{1, 0, tiny}),
+                              normalised(vec{1, 0, std::numeric_limits<TestType>::epsilon()}),
+                              normalised(vec{-1, 0, tiny}),
+                              normalised(vec{1, 1, -tiny}),
+                              normalised(vec{1, 2, 3})};
+  for (const vec& light : directions) {
+    for (const vec& view : directions) {
+      CAPTURE(light.x, light.y, light.z, view.x, view.y, view.z);
+      for (const TestType n : {TestType(1), TestType(1000)}) {
+        const TestType base = lambert(i, normal, light);
+        for (const TestType value : {phong(i, n, normal, light, view),
+                                     half_vector_shading(lobe::blinn, i, n, normal, light, view)}) {
+          REQUIRE(std::isfinite(value));
+          REQUIRE(value >= base);
+          REQUIRE(value <= base + i.ks * i.point_light);
+          if (!faces_both(normal, light, view)) REQUIRE(value == base);
+        }
+      }
+      for (const auto distribution : {facet_distribution::gaussian, facet_distribution::beckmann}) {
+        for (const TestType m : {TestType(0.05), TestType(0.3), TestType(1)}) {
+          const TestType value = cook_torrance(distribution, m, TestType(1.5), normal, light, view);
+          REQUIRE(std::isfinite(value));
+          REQUIRE(value >= 0);
+        }
+      }
+    }
+  }
+}
+
+TEMPLATE_TEST_CASE("Cook-Torrance has its limits", "[stability]", float, double) {
+  using vec = vec3<TestType>;
+  const TestType index = 1.5;
+  // Straight on: F = ((index - 1)/(index + 1))^2 = 1/25, G = 1, D at its peak.
+  const vec normal{0, 0, 1};
+  const TestType straight =
+      cook_torrance(facet_distribution::gaussian, TestType(0.2), index, normal, normal, normal);
+  CHECK(abs(referee(straight) - referee(1) / 25) <=
+        allowed_error<TestType>(referee(12) / 25));  // 12 operations
+  CHECK(fresnel(TestType(0), index) == 1);           // grazing light is reflected whole
+}
+
+TEST_CASE("cosines a little outside [0, 1] are cut", "[stability]") {
+  const vec3<double> long_one{0, 0, 1 + 1e-15};
+  CHECK(clamped_cosine(long_one, long_one) == 1);
+  CHECK(clamped_cosine(long_one, -1.0 * long_one) == 0);
+}
