@@ -2,6 +2,7 @@
 # What every target of the project shares.
 
 add_library(blysk_options INTERFACE)
+target_include_directories(blysk_options INTERFACE ${PROJECT_SOURCE_DIR})
 target_compile_options(blysk_options INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion
   $<$<BOOL:${BLYSK_WERROR}>:-Werror>)
