@@ -21,7 +21,7 @@ SC_MODULE(constant) {
 
   template <class Reader>
   void describe(Reader& reader) const {
-    reader.drive(y_o, reader.constant(raw_));
+    reader.drive(y_o, reader.parameter("RAW", raw_));
   }
 
  private:

@@ -27,22 +27,22 @@ SC_MODULE(quadratic) {
   template <class Q>
   using net = sc_core::sc_signal<typename Q::raw_t>;
 
-  sc_core::sc_in<bool> SC_NAMED(clk);       //     samples the write strobes
-  sc_core::sc_in<bool> SC_NAMED(rst_n);     //     synchronous
-  in<typename F::n> SC_NAMED(n_i);          // 16
-  sc_core::sc_in<bool> SC_NAMED(n_we_i);    // 15
-  in<typename F::cos_delta> SC_NAMED(cos_i);  // 18
-  sc_core::sc_in<bool> SC_NAMED(cos_we_i);  // 17
-  in<colour> SC_NAMED(r_i);                 // 19
-  sc_core::sc_in<bool> SC_NAMED(r_we_i);    // 20
-  in<colour> SC_NAMED(g_i);                 // 21
-  sc_core::sc_in<bool> SC_NAMED(g_we_i);    // 22
-  in<colour> SC_NAMED(b_i);                 // 23
-  sc_core::sc_in<bool> SC_NAMED(b_we_i);    // 24
-  out<typename F::out> SC_NAMED(r_o);       // 25
-  out<typename F::out> SC_NAMED(g_o);       // 26
-  out<typename F::out> SC_NAMED(b_o);       // 27
-  sc_core::sc_out<bool> SC_NAMED(valid_o);  // 29
+  sc_core::sc_in<bool> SC_NAMED(clk);
+  sc_core::sc_in<bool> SC_NAMED(rst_n);
+  in<typename F::n> SC_NAMED(n_i);
+  sc_core::sc_in<bool> SC_NAMED(n_we_i);
+  in<typename F::cos_delta> SC_NAMED(cos_i);
+  sc_core::sc_in<bool> SC_NAMED(cos_we_i);
+  in<colour> SC_NAMED(r_i);
+  sc_core::sc_in<bool> SC_NAMED(r_we_i);
+  in<colour> SC_NAMED(g_i);
+  sc_core::sc_in<bool> SC_NAMED(g_we_i);
+  in<colour> SC_NAMED(b_i);
+  sc_core::sc_in<bool> SC_NAMED(b_we_i);
+  out<typename F::out> SC_NAMED(r_o);
+  out<typename F::out> SC_NAMED(g_o);
+  out<typename F::out> SC_NAMED(b_o);
+  sc_core::sc_out<bool> SC_NAMED(valid_o);
 
   reg_level<typename F::n> SC_NAMED(rg1);
   reg_trailing<typename F::cos_delta> SC_NAMED(rg2);
@@ -116,7 +116,28 @@ SC_MODULE(quadratic) {
     // clang-format on
   }
 
-  /// The parts list, for readers of the structure (Verilog export).
+  /// The pins with their numbers in the figure, for readers of the structure (Verilog export).
+  template <class Reader>
+  void pins(Reader& reader) {
+    reader.pin(clk, "samples the write strobes");
+    reader.pin(rst_n, "synchronous");
+    reader.pin(n_i, "16: n, 1..1000", typename F::n{});
+    reader.pin(n_we_i, "15: write rg1");
+    reader.pin(cos_i, "18: cos(delta), 0..1", typename F::cos_delta{});
+    reader.pin(cos_we_i, "17: write rg2, by its trailing edge");
+    reader.pin(r_i, "19: R k_s", colour{});
+    reader.pin(r_we_i, "20: write rg3");
+    reader.pin(g_i, "21: G k_s", colour{});
+    reader.pin(g_we_i, "22: write rg4");
+    reader.pin(b_i, "23: B k_s", colour{});
+    reader.pin(b_we_i, "24: write rg5");
+    reader.pin(r_o, "25: red", typename F::out{});
+    reader.pin(g_o, "26: green", typename F::out{});
+    reader.pin(b_o, "27: blue", typename F::out{});
+    reader.pin(valid_o, "29: 25..27 are valid at its leading edge");
+  }
+
+  /// The parts list, for the same readers.
   auto blocks() const {
     return std::tie(rg1, rg2, rg3, rg4, rg5, node31, node32, carry28, carry30, mul6, add15, mul7, inv8, add9,
                     mul10, add11, quant11, mul12, mul13, mul14, buf29);

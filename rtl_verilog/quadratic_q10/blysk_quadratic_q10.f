@@ -1,0 +1,17 @@
+blysk_add_sq_8_30_unit_10_sq_8_30.v
+blysk_add_uq_10_10_sq_0_1_uq_10_10.v
+blysk_add_uq_1_20_sq_1_20_sq_m2_20.v
+blysk_buffer.v
+blysk_constant_sq_0_1.v
+blysk_constant_uq_0_10.v
+blysk_constant_uq_1_0.v
+blysk_inverter_bank_unit_10_sq_1_20.v
+blysk_mul_exponent_uq_0_10_uq_10_10.v
+blysk_mul_unit_10_unit_10_uq_1_20.v
+blysk_mul_unit_10_uq_8_0_uq_8_10.v
+blysk_mul_uq_10_10_sq_m2_20_sq_8_30.v
+blysk_quadratic_q10.v
+blysk_quantise_sq_8_30_unit_10_overflow_1.v
+blysk_reg_level_exponent.v
+blysk_reg_level_uq_8_0.v
+blysk_reg_trailing_unit_10.v

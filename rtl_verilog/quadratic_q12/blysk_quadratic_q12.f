@@ -1,0 +1,17 @@
+blysk_add_sq_8_36_unit_12_sq_8_36.v
+blysk_add_uq_10_12_sq_0_1_uq_10_12.v
+blysk_add_uq_1_24_sq_1_24_sq_m2_24.v
+blysk_buffer.v
+blysk_constant_sq_0_1.v
+blysk_constant_uq_0_12.v
+blysk_constant_uq_1_0.v
+blysk_inverter_bank_unit_12_sq_1_24.v
+blysk_mul_exponent_uq_0_12_uq_10_12.v
+blysk_mul_unit_12_unit_12_uq_1_24.v
+blysk_mul_unit_12_uq_8_0_uq_8_12.v
+blysk_mul_uq_10_12_sq_m2_24_sq_8_36.v
+blysk_quadratic_q12.v
+blysk_quantise_sq_8_36_unit_12_overflow_1.v
+blysk_reg_level_exponent.v
+blysk_reg_level_uq_8_0.v
+blysk_reg_trailing_unit_12.v

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+// device quadratic, format q12, coefficient derived, BRDF clamped to [0, 1], exported from the SystemC model.
+`default_nettype none
+
+module blysk_quadratic_q12 (
+    input  wire clk,  // samples the write strobes
+    input  wire rst_n,  // synchronous
+    input  wire [9:0] n_i,  // 16: n, 1..1000, UQ10.0
+    input  wire n_we_i,  // 15: write rg1
+    input  wire [12:0] cos_i,  // 18: cos(delta), 0..1, UQ1.12
+    input  wire cos_we_i,  // 17: write rg2, by its trailing edge
+    input  wire [7:0] r_i,  // 19: R k_s, UQ8.0
+    input  wire r_we_i,  // 20: write rg3
+    input  wire [7:0] g_i,  // 21: G k_s, UQ8.0
+    input  wire g_we_i,  // 22: write rg4
+    input  wire [7:0] b_i,  // 23: B k_s, UQ8.0
+    input  wire b_we_i,  // 24: write rg5
+    output wire [19:0] r_o,  // 25: red, UQ8.12
+    output wire [19:0] g_o,  // 26: green, UQ8.12
+    output wire [19:0] b_o,  // 27: blue, UQ8.12
+    output wire valid_o  // 29: 25..27 are valid at its leading edge
+);
+
+  wire [9:0] n;
+  wire [12:0] cos_delta;
+  wire [7:0] r_ks;
+  wire [7:0] g_ks;
+  wire [7:0] b_ks;
+  wire [11:0] slope;
+  wire signed [1:0] offset;
+  wire carry28_in;
+  wire carry30_in;
+  wire [21:0] slope_n;
+  wire [21:0] a;
+  wire [24:0] cos2;
+  wire signed [25:0] cos_inv;
+  wire signed [22:0] cos2_minus_cos;
+  wire signed [44:0] a_times_diff;
+  wire signed [44:0] parabola;
+  wire [12:0] brdf;
+
+  blysk_reg_level_exponent rg1 (.clk(clk), .rst_n(rst_n), .d_i(n_i), .we_i(n_we_i), .q_o(n));
+  blysk_reg_trailing_unit_12 rg2 (.clk(clk), .rst_n(rst_n), .d_i(cos_i), .we_i(cos_we_i), .q_o(cos_delta));
+  blysk_reg_level_uq_8_0 rg3 (.clk(clk), .rst_n(rst_n), .d_i(r_i), .we_i(r_we_i), .q_o(r_ks));
+  blysk_reg_level_uq_8_0 rg4 (.clk(clk), .rst_n(rst_n), .d_i(g_i), .we_i(g_we_i), .q_o(g_ks));
+  blysk_reg_level_uq_8_0 rg5 (.clk(clk), .rst_n(rst_n), .d_i(b_i), .we_i(b_we_i), .q_o(b_ks));
+  blysk_constant_uq_0_12 #(.RAW(12'd3223)) node31 (.y_o(slope));
+  blysk_constant_sq_0_1 #(.RAW(2'd3)) node32 (.y_o(offset));
+  blysk_constant_uq_1_0 #(.RAW(1'd1)) carry28 (.y_o(carry28_in));
+  blysk_constant_uq_1_0 #(.RAW(1'd0)) carry30 (.y_o(carry30_in));
+  blysk_mul_exponent_uq_0_12_uq_10_12 mul6 (.a_i(n), .b_i(slope), .p_o(slope_n));
+  blysk_add_uq_10_12_sq_0_1_uq_10_12 add15 (.a_i(slope_n), .b_i(offset), .carry_i(carry30_in), .s_o(a));
+  blysk_mul_unit_12_unit_12_uq_1_24 mul7 (.a_i(cos_delta), .b_i(cos_delta), .p_o(cos2));
+  blysk_inverter_bank_unit_12_sq_1_24 inv8 (.a_i(cos_delta), .y_o(cos_inv));
+  blysk_add_uq_1_24_sq_1_24_sq_m2_24 add9 (.a_i(cos2), .b_i(cos_inv), .carry_i(carry28_in), .s_o(cos2_minus_cos));
+  blysk_mul_uq_10_12_sq_m2_24_sq_8_36 mul10 (.a_i(a), .b_i(cos2_minus_cos), .p_o(a_times_diff));
+  blysk_add_sq_8_36_unit_12_sq_8_36 add11 (.a_i(a_times_diff), .b_i(cos_delta), .carry_i(carry30_in), .s_o(parabola));
+  blysk_quantise_sq_8_36_unit_12_overflow_1 quant11 (.a_i(parabola), .y_o(brdf));
+  blysk_mul_unit_12_uq_8_0_uq_8_12 mul12 (.a_i(brdf), .b_i(r_ks), .p_o(r_o));
+  blysk_mul_unit_12_uq_8_0_uq_8_12 mul13 (.a_i(brdf), .b_i(g_ks), .p_o(g_o));
+  blysk_mul_unit_12_uq_8_0_uq_8_12 mul14 (.a_i(brdf), .b_i(b_ks), .p_o(b_o));
+  blysk_buffer buf29 (.a_i(cos_we_i), .y_o(valid_o));
+
+endmodule
+
+`default_nettype wire

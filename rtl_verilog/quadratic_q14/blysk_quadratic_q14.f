@@ -1,0 +1,17 @@
+blysk_add_sq_8_40_unit_14_sq_8_40.v
+blysk_add_uq_10_14_sq_0_1_uq_10_14.v
+blysk_add_uq_1_26_sq_1_26_sq_m2_26.v
+blysk_buffer.v
+blysk_constant_sq_0_1.v
+blysk_constant_uq_0_14.v
+blysk_constant_uq_1_0.v
+blysk_inverter_bank_unit_14_sq_1_26.v
+blysk_mul_exponent_uq_0_14_uq_10_14.v
+blysk_mul_unit_14_unit_14_uq_1_26.v
+blysk_mul_unit_14_uq_8_0_uq_8_14.v
+blysk_mul_uq_10_14_sq_m2_26_sq_8_40.v
+blysk_quadratic_q14.v
+blysk_quantise_sq_8_40_unit_14_overflow_1.v
+blysk_reg_level_exponent.v
+blysk_reg_level_uq_8_0.v
+blysk_reg_trailing_unit_14.v

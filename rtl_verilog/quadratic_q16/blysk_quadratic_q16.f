@@ -1,0 +1,17 @@
+blysk_add_sq_8_44_unit_16_sq_8_44.v
+blysk_add_uq_10_16_sq_0_1_uq_10_16.v
+blysk_add_uq_1_28_sq_1_28_sq_m2_28.v
+blysk_buffer.v
+blysk_constant_sq_0_1.v
+blysk_constant_uq_0_16.v
+blysk_constant_uq_1_0.v
+blysk_inverter_bank_unit_16_sq_1_28.v
+blysk_mul_exponent_uq_0_16_uq_10_16.v
+blysk_mul_unit_16_unit_16_uq_1_28.v
+blysk_mul_unit_16_uq_8_0_uq_8_16.v
+blysk_mul_uq_10_16_sq_m2_28_sq_8_44.v
+blysk_quadratic_q16.v
+blysk_quantise_sq_8_44_unit_16_overflow_1.v
+blysk_reg_level_exponent.v
+blysk_reg_level_uq_8_0.v
+blysk_reg_trailing_unit_16.v

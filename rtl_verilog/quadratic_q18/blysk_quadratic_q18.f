@@ -1,0 +1,17 @@
+blysk_add_sq_8_48_unit_18_sq_8_48.v
+blysk_add_uq_10_18_sq_0_1_uq_10_18.v
+blysk_add_uq_1_30_sq_1_30_sq_m2_30.v
+blysk_buffer.v
+blysk_constant_sq_0_1.v
+blysk_constant_uq_0_18.v
+blysk_constant_uq_1_0.v
+blysk_inverter_bank_unit_18_sq_1_30.v
+blysk_mul_exponent_uq_0_18_uq_10_18.v
+blysk_mul_unit_18_unit_18_uq_1_30.v
+blysk_mul_unit_18_uq_8_0_uq_8_18.v
+blysk_mul_uq_10_18_sq_m2_30_sq_8_48.v
+blysk_quadratic_q18.v
+blysk_quantise_sq_8_48_unit_18_overflow_1.v
+blysk_reg_level_exponent.v
+blysk_reg_level_uq_8_0.v
+blysk_reg_trailing_unit_18.v

@@ -1,0 +1,17 @@
+blysk_add_sq_8_52_unit_20_sq_8_52.v
+blysk_add_uq_10_20_sq_0_1_uq_10_20.v
+blysk_add_uq_1_32_sq_1_32_sq_m2_32.v
+blysk_buffer.v
+blysk_constant_sq_0_1.v
+blysk_constant_uq_0_20.v
+blysk_constant_uq_1_0.v
+blysk_inverter_bank_unit_20_sq_1_32.v
+blysk_mul_exponent_uq_0_20_uq_10_20.v
+blysk_mul_unit_20_unit_20_uq_1_32.v
+blysk_mul_unit_20_uq_8_0_uq_8_20.v
+blysk_mul_uq_10_20_sq_m2_32_sq_8_52.v
+blysk_quadratic_q20.v
+blysk_quantise_sq_8_52_unit_20_overflow_1.v
+blysk_reg_level_exponent.v
+blysk_reg_level_uq_8_0.v
+blysk_reg_trailing_unit_20.v

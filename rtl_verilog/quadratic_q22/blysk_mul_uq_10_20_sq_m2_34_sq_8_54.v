@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+// mul<uq<10, 20>, sq<-2, 34>, sq<8, 54>>, exported from the SystemC model.
+`default_nettype none
+
+module blysk_mul_uq_10_20_sq_m2_34_sq_8_54 (
+    input  wire [29:0] a_i,
+    input  wire signed [32:0] b_i,
+    output wire signed [62:0] p_o
+);
+
+  assign p_o = {33'b0, a_i} * {{30{b_i[32]}}, b_i};
+
+endmodule
+
+`default_nettype wire

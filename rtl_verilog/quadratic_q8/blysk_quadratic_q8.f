@@ -1,0 +1,17 @@
+blysk_add_sq_8_24_unit_8_sq_8_24.v
+blysk_add_uq_10_8_sq_0_1_uq_10_8.v
+blysk_add_uq_1_16_sq_1_16_sq_m2_16.v
+blysk_buffer.v
+blysk_constant_sq_0_1.v
+blysk_constant_uq_0_8.v
+blysk_constant_uq_1_0.v
+blysk_inverter_bank_unit_8_sq_1_16.v
+blysk_mul_exponent_uq_0_8_uq_10_8.v
+blysk_mul_unit_8_unit_8_uq_1_16.v
+blysk_mul_unit_8_uq_8_0_uq_8_8.v
+blysk_mul_uq_10_8_sq_m2_16_sq_8_24.v
+blysk_quadratic_q8.v
+blysk_quantise_sq_8_24_unit_8_overflow_1.v
+blysk_reg_level_exponent.v
+blysk_reg_level_uq_8_0.v
+blysk_reg_trailing_unit_8.v

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// reg_trailing<unit<8>>, exported from the SystemC model.
+`default_nettype none
+
+module blysk_reg_trailing_unit_8 (
+    input  wire clk,
+    input  wire rst_n,
+    input  wire [8:0] d_i,
+    input  wire we_i,
+    output reg  [8:0] q_o
+);
+
+  reg  we_q;
+
+  always @(posedge clk) begin
+    if (!rst_n) begin
+      we_q <= 1'd0;
+    end else begin
+      we_q <= we_i;
+    end
+  end
+  always @(posedge clk) begin
+    if (!rst_n) begin
+      q_o <= 9'd0;
+    end else if (we_q && !we_i) begin
+      q_o <= d_i;
+    end
+  end
+
+endmodule
+
+`default_nettype wire

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/export/expression.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace blysk::verilog {
+namespace {
+
+constexpr int kMaxWidth = 120;
+
+int unsigned_width(wide_int value) {
+  int width = 0;
+  for (; value != 0; value >>= 1) ++width;
+  return width;
+}
+
+expression make(operation op, std::initializer_list<expression> operands, wide_int low, wide_int high, int distance = 0) {
+  auto made = std::make_shared<node>(node{.op = op, .operands = {}, .low = low, .high = high, .distance = distance});
+  for (const expression& operand : operands) {
+    made->operands.push_back(operand.root());
+    made->depth = std::max(made->depth, operand.root()->depth + 1);
+  }
+  if (made->width() > kMaxWidth) throw std::overflow_error("a law computes with more than 120 bits");
+  return expression(std::move(made));
+}
+
+// Constants are folded, so that T{1} << k is one number in the text.
+bool is_constant(const expression& a) { return a.root()->op == operation::constant; }
+
+expression make_constant(wide_int value) { return make(operation::constant, {}, value, value); }
+
+expression truth(const expression& a) {
+  const node& root = *a.root();
+  return root.low == 0 && root.high <= 1 ? a : !(a == expression{0});
+}
+
+}  // namespace
+
+int node::width() const {
+  if (!is_signed()) return std::max(1, unsigned_width(high));
+  return 1 + std::max(unsigned_width(~low), high < 0 ? 0 : unsigned_width(high));
+}
+
+expression::expression(std::int64_t value) : expression(make_constant(value)) {}
+
+expression expression::signal(const std::string& name, int width, bool is_signed) {
+  const wide_int span = wide_int{1} << (is_signed ? width - 1 : width);
+  return expression(std::make_shared<node>(
+      node{.op = operation::signal, .operands = {}, .low = is_signed ? -span : 0, .high = span - 1, .name = name}));
+}
+
+expression expression::parameter(const std::string& name) {
+  const wide_int span = wide_int{1} << 63;
+  return expression(std::make_shared<node>(
+      node{.op = operation::parameter, .operands = {}, .low = -span, .high = span - 1, .name = name}));
+}
+
+expression operator+(const expression& a, const expression& b) {
+  return make(operation::add, {a, b}, a.root()->low + b.root()->low, a.root()->high + b.root()->high);
+}
+
+expression operator-(const expression& a, const expression& b) {
+  return make(operation::subtract, {a, b}, a.root()->low - b.root()->high, a.root()->high - b.root()->low);
+}
+
+expression operator*(const expression& a, const expression& b) {
+  const node& x = *a.root();
+  const node& y = *b.root();
+  if (x.width() + y.width() > kMaxWidth) throw std::overflow_error("a law multiplies more than 120 bits");
+  const auto [low, high] = std::minmax({x.low * y.low, x.low * y.high, x.high * y.low, x.high * y.high});
+  return make(operation::multiply, {a, b}, low, high);
+}
+
+expression operator~(const expression& a) {
+  return make(operation::complement, {a}, ~a.root()->high, ~a.root()->low);
+}
+
+expression operator<<(const expression& a, int distance) {
+  const node& x = *a.root();
+  if (distance == 0) return a;
+  if (x.width() + distance > kMaxWidth) throw std::overflow_error("a law shifts beyond 120 bits");
+  const wide_int scale = wide_int{1} << distance;
+  if (is_constant(a)) return make_constant(x.low * scale);
+  return make(operation::shift_left, {a}, x.low * scale, x.high * scale, distance);
+}
+
+expression operator>>(const expression& a, int distance) {
+  const node& x = *a.root();
+  if (distance == 0) return a;
+  if (is_constant(a)) return make_constant(x.low >> distance);
+  if (distance >= x.width()) return x.is_signed() ? a >> (x.width() - 1) : expression{0};
+  return make(operation::shift_right, {a}, x.low >> distance, x.high >> distance, distance);
+}
+
+expression operator<(const expression& a, const expression& b) { return make(operation::less, {a, b}, 0, 1); }
+
+expression operator==(const expression& a, const expression& b) { return make(operation::equal, {a, b}, 0, 1); }
+
+expression operator&&(const expression& a, const expression& b) {
+  return make(operation::logical_and, {truth(a), truth(b)}, 0, 1);
+}
+
+expression operator||(const expression& a, const expression& b) {
+  return make(operation::logical_or, {truth(a), truth(b)}, 0, 1);
+}
+
+expression operator!(const expression& a) { return make(operation::logical_not, {truth(a)}, 0, 1); }
+
+expression select(const expression& condition, const expression& a, const expression& b) {
+  return make(operation::select, {truth(condition), a, b}, std::min(a.root()->low, b.root()->low),
+              std::max(a.root()->high, b.root()->high));
+}
+
+}  // namespace blysk::verilog

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Symbolic value: a block's law run on it writes down what the law computes.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace blysk::verilog {
+
+__extension__ typedef __int128 wide_int;
+
+enum class operation {
+  constant,
+  parameter,  ///< constant of an instance
+  signal,     ///< port, or wire within a block
+  add,
+  subtract,
+  multiply,
+  complement,  ///< ~a
+  shift_left,
+  shift_right,  ///< arithmetic
+  less,
+  equal,
+  logical_and,
+  logical_or,
+  logical_not,
+  select  ///< a ? b : c
+};
+
+/// One step of a law, with the ends of the interval that its exact value lies in.
+struct node {
+  operation op;
+  std::vector<std::shared_ptr<const node>> operands;
+  wide_int low;
+  wide_int high;
+  std::string name = {};  ///< of a signal or parameter
+  int distance = 0;       ///< of a shift
+  int depth = 0;          ///< an operand's is below its user's
+
+  bool is_signed() const { return low < 0; }
+
+  /// Bits of the two's complement, or of the unsigned number if no value is negative, that hold the interval.
+  int width() const;
+};
+
+/// Integer of unlimited range as far as the law is concerned; at most 120 bits here.
+/// The operators are those of a C++ integer; comparisons and logic give 0 or 1.
+/// \throws std::overflow_error from every operation whose result could need more than 120 bits
+class expression {
+ public:
+  explicit expression(std::int64_t value);
+  explicit expression(std::shared_ptr<const node> root) : root_(std::move(root)) {}
+
+  static expression signal(const std::string& name, int width, bool is_signed);
+  static expression parameter(const std::string& name);
+
+  const std::shared_ptr<const node>& root() const { return root_; }
+
+ private:
+  std::shared_ptr<const node> root_;
+};
+
+expression operator+(const expression& a, const expression& b);
+expression operator-(const expression& a, const expression& b);
+expression operator*(const expression& a, const expression& b);
+expression operator~(const expression& a);
+expression operator<<(const expression& a, int distance);
+expression operator>>(const expression& a, int distance);
+expression operator<(const expression& a, const expression& b);
+expression operator==(const expression& a, const expression& b);
+expression operator&&(const expression& a, const expression& b);
+expression operator||(const expression& a, const expression& b);
+expression operator!(const expression& a);
+
+inline expression operator-(const expression& a) { return expression{0} - a; }
+inline expression operator>(const expression& a, const expression& b) { return b < a; }
+inline expression operator<=(const expression& a, const expression& b) { return !(b < a); }
+inline expression operator>=(const expression& a, const expression& b) { return !(a < b); }
+inline expression operator!=(const expression& a, const expression& b) { return !(a == b); }
+
+/// condition ? a : b, found by the laws beside blysk::law::select.
+expression select(const expression& condition, const expression& a, const expression& b);
+
+}  // namespace blysk::verilog
