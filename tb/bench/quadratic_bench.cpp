@@ -9,9 +9,7 @@ template <class F>
 class quadratic_engine final : public systemc_engine {
  public:
   explicit quadratic_engine(const wired_constants& wired) : host_("bench", wired) {}
-  ~quadratic_engine() override {
-    if (file_ != nullptr) sc_core::sc_close_vcd_trace_file(file_);
-  }
+  ~quadratic_engine() override { quadratic_engine::stop_trace(); }
 
   void run(const batch& in, results& out) override { host_.run(in, out); }
 
@@ -19,6 +17,11 @@ class quadratic_engine final : public systemc_engine {
     file_ = sc_core::sc_create_vcd_trace_file(path.c_str());
     file_->set_time_unit(1, sc_core::SC_PS);
     host_.pins.trace(file_);
+  }
+
+  void stop_trace() override {
+    if (file_ != nullptr) sc_core::sc_close_vcd_trace_file(file_);
+    file_ = nullptr;
   }
 
   std::uint64_t cycles() const override { return host_.cycles(); }

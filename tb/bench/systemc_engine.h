@@ -25,6 +25,9 @@ class systemc_engine : public engine {
   /// \param path  without the ending .vcd, which SystemC appends
   virtual void trace(const std::string& path) = 0;
 
+  /// Ends the record and closes its file.
+  virtual void stop_trace() = 0;
+
   /// Clock cycles simulated so far, the two of the reset included.
   virtual std::uint64_t cycles() const = 0;
 

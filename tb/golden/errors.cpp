@@ -11,7 +11,7 @@
 namespace blysk::golden {
 namespace {
 
-constexpr int kSteps = 512;
+constexpr int kSteps = 200;
 constexpr double kTail = 40;  // e^-40 < 5e-18: c^n is zero to double precision beside its peak
 
 std::vector<double> sample_cosines(double n, double low, double high) {

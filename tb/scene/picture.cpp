@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/scene/picture.h"
+
+#include <png.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <stdexcept>
+
+namespace blysk::scene {
+
+void paste(const picture& tile, picture& sheet, int x, int y) {
+  for (int row = 0; row < tile.height; ++row) {
+    std::copy_n(tile.pixel(0, row), 3 * tile.width, sheet.pixel(x, y + row));
+  }
+}
+
+picture difference(const picture& a, const picture& b, int gain) {
+  picture result(a.width, a.height);
+  std::transform(a.rgb.begin(), a.rgb.end(), b.rgb.begin(), result.rgb.begin(), [gain](int p, int q) {
+    return static_cast<std::uint8_t>(std::min(255, gain * std::abs(p - q)));
+  });
+  return result;
+}
+
+double nmse(const picture& reference, const picture& other) {
+  double error = 0;
+  double signal = 0;
+  for (std::size_t i = 0; i < reference.rgb.size(); ++i) {
+    const double difference = static_cast<double>(reference.rgb[i]) - other.rgb[i];
+    error += difference * difference;
+    signal += static_cast<double>(reference.rgb[i]) * reference.rgb[i];
+  }
+  return error / signal;
+}
+
+void write_png(const picture& image, const std::filesystem::path& path) {
+  png_image png{};
+  png.version = PNG_IMAGE_VERSION;
+  png.width = static_cast<png_uint_32>(image.width);
+  png.height = static_cast<png_uint_32>(image.height);
+  png.format = PNG_FORMAT_RGB;
+  if (png_image_write_to_file(&png, path.c_str(), 0, image.rgb.data(), 0, nullptr) == 0) {
+    throw std::runtime_error(path.string() + ": cannot be written (" + png.message + ")");
+  }
+}
+
+}  // namespace blysk::scene

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: Apache-2.0
+// Blocks without a clock, at widths small enough to try every input against real arithmetic in double, which is exact
+// for them (all values have less than 53 bits).
+#include <cmath>
+
+#include "rtl_sysc/blocks/add.h"
+#include "rtl_sysc/blocks/buffer.h"
+#include "rtl_sysc/blocks/constant.h"
+#include "rtl_sysc/blocks/inverter_bank.h"
+#include "rtl_sysc/blocks/mul.h"
+#include "rtl_sysc/blocks/quantise.h"
+#include "tb/catch.h"
+
+namespace {
+
+using namespace blysk;
+
+/// SystemC elaborates once, so every bench is a static object; this lets the delta cycles that writes cause run.
+void settle() { sc_core::sc_start(1, sc_core::SC_NS); }
+
+template <class Q>
+double real(std::int64_t raw) {
+  return std::ldexp(static_cast<double>(raw), -Q::frac);
+}
+
+/// x rounded to Q's fraction bits, to nearest, ties towards +infinity; raw.
+template <class Q>
+std::int64_t rounded(double x) {
+  return static_cast<std::int64_t>(std::floor(std::ldexp(x, Q::frac) + 0.5));
+}
+
+template <class Q>
+using wire = sc_core::sc_signal<typename Q::raw_t>;
+
+template <class A, class B, class P>
+struct mul_bench {
+  explicit mul_bench(const char* name) : block(name) { block.a_i(a), block.b_i(b), block.p_o(p); }
+  mul<A, B, P> block;
+  wire<A> a;
+  wire<B> b;
+  wire<P> p;
+
+  void check_all() {
+    for (std::int64_t x = A::min; x <= A::max; ++x) {
+      for (std::int64_t y = B::min; y <= B::max; ++y) {
+        a.write(x);
+        b.write(y);
+        settle();
+        const std::int64_t expected = rounded<P>(real<A>(x) * real<B>(y));
+        if (p.read().to_int64() != expected) {
+          CAPTURE(x, y, p.read().to_int64(), expected);
+          FAIL("mul");
+        }
+      }
+    }
+  }
+};
+
+mul_bench<uq<3, 2>, sq<0, 4>, sq<3, 6>> mixed_mul("mixed_mul");         // signs mixed, exact, as mul10
+mul_bench<uq<4, 0>, uq<0, 5>, uq<4, 5>> integer_mul("integer_mul");     // as mul6
+mul_bench<unit<5>, unit<5>, uq<1, 7>> rounding_mul("rounding_mul");     // rounds, as mul7 from q14 on
+mul_bench<sq<3, 2>, uq<4, 0>, sq<7, 2>> signed_mul("signed_mul");       // as mul12 as published
+mul_bench<sq<1, 3>, sq<1, 3>, sq<3, 4>> rounding_signed_mul("rounding_signed_mul");
+
+TEST_CASE("mul is exact, or rounds to nearest, for all operands", "[unit][mul]") {
+  SECTION("unsigned by signed") { mixed_mul.check_all(); }
+  SECTION("integer by fraction") { integer_mul.check_all(); }
+  SECTION("rounded unsigned") { rounding_mul.check_all(); }
+  SECTION("signed by unsigned") { signed_mul.check_all(); }
+  SECTION("rounded signed") { rounding_signed_mul.check_all(); }
+}
+
+TEST_CASE("mul10 is exact at the ends of q24's formats", "[unit][mul]") {
+  using a = uq<10, 20>;
+  using diff = sq<-2, 35>;
+  STATIC_REQUIRE(product_of<a, diff>::width == 64);
+  // diff::min is a power of two, so the product is a shift and -2^63 <= product.
+  STATIC_REQUIRE(diff::min == -(std::int64_t{1} << 33));
+  CHECK(mul<a, diff, product_of<a, diff>>::law(a::max, diff::min) == -(a::max << 33));
+}
+
+template <class A, class B, class S>
+struct add_bench {
+  explicit add_bench(const char* name) : block(name) {
+    block.a_i(a), block.b_i(b), block.carry_i(carry), block.s_o(s);
+  }
+  add<A, B, S> block;
+  wire<A> a;
+  wire<B> b;
+  wire<uq<1, 0>> carry;
+  wire<S> s;
+
+  void check_all() {
+    for (std::int64_t x = A::min; x <= A::max; ++x) {
+      for (std::int64_t y = B::min; y <= B::max; ++y) {
+        for (int c = 0; c <= 1; ++c) {
+          a.write(x);
+          b.write(y);
+          carry.write(static_cast<unsigned>(c));
+          settle();
+          const std::int64_t expected = rounded<S>(real<A>(x) + real<B>(y) + real<S>(c));
+          if (s.read().to_int64() != expected) {
+            CAPTURE(x, y, c, s.read().to_int64(), expected);
+            FAIL("add");
+          }
+        }
+      }
+    }
+  }
+};
+
+add_bench<uq<1, 6>, sq<1, 6>, sq<2, 6>> aligned_add("aligned_add");  // as add9
+add_bench<sq<3, 5>, unit<3>, sq<4, 5>> shifted_add("shifted_add");   // as add11
+add_bench<uq<3, 4>, sq<0, 1>, sq<4, 4>> offset_add("offset_add");    // as add15
+
+TEST_CASE("add is exact for all operands and both carries", "[unit][add]") {
+  SECTION("same fraction bits") { aligned_add.check_all(); }
+  SECTION("second operand aligned") { shifted_add.check_all(); }
+  SECTION("half a unit") { offset_add.check_all(); }
+}
+
+template <class A, class Y>
+struct inverter_bench {
+  explicit inverter_bench(const char* name) : block(name) { block.a_i(a), block.y_o(y); }
+  inverter_bank<A, Y> block;
+  wire<A> a;
+  wire<Y> y;
+};
+
+inverter_bench<unit<8>, sq<1, 8>> inverter("inverter");
+inverter_bench<unit<8>, sq<1, 16>> wide_inverter("wide_inverter");
+
+TEST_CASE("inverter_bank with a carry of one ulp negates every code", "[unit][inverter_bank]") {
+  for (unsigned code = 0; code <= 256; ++code) {
+    inverter.a.write(code);
+    wide_inverter.a.write(code);
+    settle();
+    CAPTURE(code);
+    REQUIRE(inverter.y.read().to_int64() + 1 == -static_cast<std::int64_t>(code));
+    REQUIRE(wide_inverter.y.read().to_int64() + 1 == -256 * static_cast<std::int64_t>(code));
+    for (int bit = 0; bit <= 8; ++bit) REQUIRE(inverter.y.read()[bit] == !inverter.a.read()[bit]);
+  }
+}
+
+template <class A, class Y, overflow Overflow>
+struct quantise_bench {
+  explicit quantise_bench(const char* name) : block(name) { block.a_i(a), block.y_o(y); }
+  quantise<A, Y, Overflow> block;
+  wire<A> a;
+  wire<Y> y;
+};
+
+quantise_bench<sq<4, 8>, unit<4>, overflow::clamp> clamping("clamping");
+quantise_bench<sq<4, 8>, sq<5, 4>, overflow::excluded> rounding("rounding");
+quantise_bench<sq<4, 4>, unit<4>, overflow::clamp> clamping_only("clamping_only");
+
+TEST_CASE("quantise rounds to nearest and clamps to [0, 1] for all operands", "[unit][quantise]") {
+  for (std::int64_t x = sq<4, 8>::min; x <= sq<4, 8>::max; ++x) {
+    clamping.a.write(x);
+    rounding.a.write(x);
+    settle();
+    const std::int64_t nearest = rounded<unit<4>>(real<sq<4, 8>>(x));
+    CAPTURE(x);
+    REQUIRE(clamping.y.read().to_int64() == (nearest < 0 ? 0 : nearest > 16 ? 16 : nearest));
+    REQUIRE(rounding.y.read().to_int64() == nearest);
+  }
+  for (std::int64_t x = sq<4, 4>::min; x <= sq<4, 4>::max; ++x) {
+    clamping_only.a.write(x);
+    settle();
+    CAPTURE(x);
+    REQUIRE(clamping_only.y.read().to_int64() == (x < 0 ? 0 : x > 16 ? 16 : x));
+  }
+}
+
+struct constant_bench {
+  explicit constant_bench(const char* name) : block(name, -1) { block.y_o(y); }
+  constant<sq<0, 1>> block;
+  wire<sq<0, 1>> y;
+};
+
+struct buffer_bench {
+  explicit buffer_bench(const char* name) : block(name) { block.a_i(a), block.y_o(y); }
+  buffer block;
+  sc_core::sc_signal<bool> a, y;
+};
+
+constant_bench minus_half("minus_half");
+buffer_bench strobe("strobe");
+
+TEST_CASE("constant drives its bits, buffer follows its input", "[unit][constant][buffer]") {
+  settle();
+  CHECK(real<sq<0, 1>>(minus_half.y.read().to_int64()) == -0.5);
+  for (const bool level : {true, false, true}) {
+    strobe.a.write(level);
+    settle();
+    CHECK(strobe.y.read() == level);
+  }
+}
+
+}  // namespace
