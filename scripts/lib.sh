@@ -42,3 +42,21 @@ build() {
   say "building"
   logged build cmake --build "$root/build" || exit 1
 }
+
+# fit_layout FILE.vcd FILE.gtkw: the layout with the bus widths of the waveform, and with its fraction bits where it
+# scales by those of q16.
+fit_layout() {
+  awk '
+    NR == FNR && $1 == "$scope" && $3 != "SystemC" { scope = $3 "." }
+    NR == FNR && $1 == "$upscope" { scope = "" }
+    NR == FNR && $1 == "$var" && $6 ~ /^\[/ { range["SystemC." scope $5] = $6 }
+    NR == FNR { next }
+    FNR == 1 { split(substr(range["SystemC.cos18"], 2), bits, ":") }
+    /^\[fpshift_count\]/ && bits[1] { print $1, bits[1]; next }
+    match($0, /\[[0-9]+:0\]$/) {  # "SystemC.net[7:0]" or "+{alias} SystemC.net[7:0]"
+      start = index($0, "SystemC.")
+      name = substr($0, start, RSTART - start)
+      if (name in range) $0 = substr($0, 1, RSTART - 1) range[name]
+    }
+    { print }' "$1" "$2"
+}

@@ -61,7 +61,9 @@ void cycle() { sc_core::sc_start(bench::kClockPeriodNs, sc_core::SC_NS); }
 void reset() {
   pins.rst_n.write(false);
   put({}, {});
-  sc_core::sc_start(bench::kClockPeriodNs / 2, sc_core::SC_NS);  // to the first falling edge
+  if (sc_core::sc_time_stamp() == sc_core::SC_ZERO_TIME) {
+    sc_core::sc_start(bench::kClockPeriodNs / 2, sc_core::SC_NS);  // to the first falling edge
+  }
   cycle();
   pins.rst_n.write(true);
 }
@@ -74,8 +76,40 @@ void load(const registers& data) {
   cycle();
 }
 
+std::uint32_t below(std::mt19937& random, std::uint32_t end) { return static_cast<std::uint32_t>(random() % end); }
+
 constexpr registers kFirst{10, 250, 200, 100, 50};
 constexpr registers kSecond{20, 253, 90, 80, 70};
+
+// Nets in raw units of q8: cos has 8 fraction bits, a has 8, cos^2 - cos has 16, the parabola 24.
+TEST_CASE("every net of fig. 1 holds its formula", "[unit][netlist]") {
+  reset();
+  std::mt19937 random(1);
+  for (int i = 0; i < 2000; ++i) {
+    const registers data{below(random, 1000) + 1, below(random, 257), below(random, 256), below(random, 256),
+                         below(random, 256)};
+    const std::int64_t n = data.n;
+    const std::int64_t c = data.cos_delta;
+    load(data);
+    const auto& device = pins.device;
+    const std::int64_t a = 201 * n - 128;
+    const std::int64_t diff = c * c - 256 * c;
+    CAPTURE(n, c);
+    REQUIRE(device.n.read().to_int64() == n);
+    REQUIRE(device.cos_delta.read().to_int64() == c);
+    REQUIRE(device.r_ks.read().to_uint() == data.red);
+    REQUIRE(device.g_ks.read().to_uint() == data.green);
+    REQUIRE(device.b_ks.read().to_uint() == data.blue);
+    REQUIRE(device.slope_n.read().to_int64() == 201 * n);
+    REQUIRE(device.a.read().to_int64() == a);
+    REQUIRE(device.cos2.read().to_int64() == c * c);
+    REQUIRE(device.cos_inv.read().to_int64() == -256 * c - 1);
+    REQUIRE(device.cos2_minus_cos.read().to_int64() == diff);
+    REQUIRE(device.a_times_diff.read().to_int64() == a * diff);
+    REQUIRE(device.parabola.read().to_int64() == a * diff + 65536 * c);
+    REQUIRE(actual() == expected(data));
+  }
+}
 
 TEST_CASE("without its strobe no register changes", "[unit][strobe]") {
   reset();
@@ -136,7 +170,7 @@ TEST_CASE("29 is 17, and at its leading edge the outputs belong to the write bef
   load(kFirst);
   std::mt19937 random(1);
   for (int i = 0; i < 50; ++i) {
-    const registers next{before.n, static_cast<std::uint32_t>(random() % 257), before.red, before.green, before.blue};
+    const registers next{before.n, below(random, 257), before.red, before.green, before.blue};
     put(next, {.cos_delta = true});
     sc_core::sc_start(bench::kClockPeriodNs / 4, sc_core::SC_NS);  // before the rising edge of clk
     CHECK(pins.valid29.read());
@@ -197,9 +231,7 @@ TEST_CASE("random strobes do what the patent's words say", "[unit][strobe]") {
     const strobes s{random() % 4 == 0, random() % 2 == 0, random() % 4 == 0, random() % 4 == 0, random() % 4 == 0};
     const bool in_reset = random() % 64 == 0;
     if (random() % 2 == 0) {
-      data = {static_cast<std::uint32_t>(1 + random() % 1000), static_cast<std::uint32_t>(random() % 257),
-              static_cast<std::uint32_t>(random() % 256), static_cast<std::uint32_t>(random() % 256),
-              static_cast<std::uint32_t>(random() % 256)};
+      data = {below(random, 1000) + 1, below(random, 257), below(random, 256), below(random, 256), below(random, 256)};
     }
     put(data, s);
     pins.rst_n.write(!in_reset);
