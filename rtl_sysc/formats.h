@@ -11,15 +11,20 @@
 namespace blysk {
 
 /// Named formats, what a user picks: q8 .. q24 are the fraction bits of cos(delta).
-struct q8 { static constexpr int frac = 8; };
-struct q10 { static constexpr int frac = 10; };
-struct q12 { static constexpr int frac = 12; };
-struct q14 { static constexpr int frac = 14; };
-struct q16 { static constexpr int frac = 16; };
-struct q18 { static constexpr int frac = 18; };
-struct q20 { static constexpr int frac = 20; };
-struct q22 { static constexpr int frac = 22; };
-struct q24 { static constexpr int frac = 24; };
+template <int Frac>
+struct named_format {
+  static constexpr int frac = Frac;
+};
+
+struct q8 : named_format<8> {};
+struct q10 : named_format<10> {};
+struct q12 : named_format<12> {};
+struct q14 : named_format<14> {};
+struct q16 : named_format<16> {};
+struct q18 : named_format<18> {};
+struct q20 : named_format<20> {};
+struct q22 : named_format<22> {};
+struct q24 : named_format<24> {};
 
 /// What becomes of the parabola's negative lobe, 0 < c < 1 - 1/a (spec erratum E4).
 enum class lobe {
