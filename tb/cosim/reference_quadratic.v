@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+// The device of [P] fig. 1 as a designer would write it by hand from the formulas, in one module:
+//   brdf = a (c^2 - c) + c clamped to [0, 1],   a = S n - 1/2,   colours = brdf * (R, G, B) k_s
+// It shares nothing with the SystemC model but the ports and the meaning of the formats: c has F fraction bits and is
+// legal up to 2^F, the constant S has K = min(F, 20) bits (S below, rounded), c^2 has D fraction bits, rounded to
+// nearest (exact if D = 2 F), and the BRDF is rounded to F fraction bits, to nearest, ties up.
+`default_nettype none
+
+module reference_quadratic #(
+    parameter F = 8,
+    parameter K = 8,
+    parameter D = 16,
+    parameter [K-1:0] S = 8'd201
+) (
+    input  wire         clk,
+    input  wire         rst_n,
+    input  wire [9:0]   n_i,
+    input  wire         n_we_i,
+    input  wire [F:0]   cos_i,
+    input  wire         cos_we_i,
+    input  wire [7:0]   r_i,
+    input  wire         r_we_i,
+    input  wire [7:0]   g_i,
+    input  wire         g_we_i,
+    input  wire [7:0]   b_i,
+    input  wire         b_we_i,
+    output wire [F+7:0] r_o,
+    output wire [F+7:0] g_o,
+    output wire [F+7:0] b_o,
+    output wire         valid_o
+);
+
+  // Registers. Register 2 loads on the trailing edge of its strobe.
+  reg [9:0] n;
+  reg [F:0] c;
+  reg [7:0] red, green, blue;
+  reg       strobe17;
+
+  always @(posedge clk)
+    if (!rst_n) begin
+      n <= 0;
+      c <= 0;
+      red <= 0;
+      green <= 0;
+      blue <= 0;
+      strobe17 <= 0;
+    end else begin
+      strobe17 <= cos_we_i;
+      if (n_we_i) n <= n_i;
+      if (strobe17 & ~cos_we_i) c <= cos_i;
+      if (r_we_i) red <= r_i;
+      if (g_we_i) green <= g_i;
+      if (b_we_i) blue <= b_i;
+    end
+
+  // a has K fraction bits.
+  wire [K+9:0] a = n * S - (1 << (K - 1));
+
+  // c - c^2, which lies in [0, 1/4], with D fraction bits.
+  wire [2*F+1:0] c2 = c * c;
+  wire [D:0]     c2_rounded;
+  wire [D:0]     c_minus_c2 = (c << (D - F)) - c2_rounded;
+  generate
+    if (D == 2 * F) assign c2_rounded = c2[D:0];
+    else            assign c2_rounded = (c2 + (1 << (2 * F - D - 1))) >> (2 * F - D);
+  endgenerate
+
+  // The parabola with K + D fraction bits: at most 1, at least -(2^10) / 4.
+  wire signed [K+D+9:0] parabola = (c << (K + D - F)) - a * c_minus_c2[D-2:0];
+  wire signed [F+9:0]   rounded = (parabola + (1 << (K + D - F - 1))) >>> (K + D - F);
+
+  wire [F:0] brdf = rounded < 0 ? 0 : rounded > (1 << F) ? 1 << F : rounded;
+
+  assign r_o = brdf * red;
+  assign g_o = brdf * green;
+  assign b_o = brdf * blue;
+  assign valid_o = cos_we_i;
+
+endmodule
+
+`default_nettype wire
