@@ -23,8 +23,8 @@ std::vector<double> sample_cosines(double n, double low, double high) {
   }
   std::erase_if(result, [&](double c) { return c < low || c > high; });
   std::ranges::sort(result);
-  const auto repeated = std::ranges::unique(result);  // or a neighbour could be the sample itself
-  result.erase(repeated.begin(), repeated.end());
+  result.erase(std::unique(result.begin(), result.end()),
+               result.end());  // or a sample could neighbour itself
   return result;
 }
 

@@ -42,6 +42,10 @@ const std::vector<error_summary>& errors_of(lobe which) {
   return result;
 }
 
+int first_exponent(epicentre where) {
+  return where == epicentre::inflection ? 2 : 1;
+}
+
 worst worst_relative(lobe which, epicentre where, int last) {
   const auto& errors = errors_of(which);
   return worst_over(first_exponent(where), last, [&](int n) {

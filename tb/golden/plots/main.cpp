@@ -259,7 +259,7 @@ std::vector<figure> own_figures() {
        "slope",
        "error",
        "",
-       steps(0.6, 1.1, 50),
+       steps(0.2, 1.1, 90),
        {{"largest absolute, whole range", [](double s) { return slope_error(s, slope_axis::whole); }},
         {"largest relative, cos^n >= 0.56", [](double s) { return slope_error(s, slope_axis::epicentre); }},
         {"largest relative, to the inflection point",
