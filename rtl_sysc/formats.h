@@ -32,7 +32,9 @@ enum class lobe {
   as_published  ///< it goes through, down to -a/4, about -196 at n = 1000
 };
 
-constexpr int min_of(int a, int b) { return a < b ? a : b; }
+constexpr int min_of(int a, int b) {
+  return a < b ? a : b;
+}
 
 /// Specular exponent n, 1..1000.
 struct exponent : uq<10, 0> {
@@ -57,15 +59,15 @@ struct quadratic_formats {
 
   using n = exponent;
   using cos_delta = unit<cos_bits>;
-  using slope = uq<0, slope_bits>;                // node 31
-  using offset = sq<0, 1>;                        // node 32: +1/2 or -1/2
-  using slope_n = uq<10, slope_bits>;             // multiplier 6
-  using a = uq<10, slope_bits>;                   // adder 15
-  using cos2 = uq<1, diff_bits>;                  // multiplier 7
-  using cos_inv = sq<1, diff_bits>;               // inverter bank 8
-  using diff = sq<-2, diff_bits>;                 // adder 9: cos^2 - cos, [-1/4, 0]
-  using a_diff = sq<8, slope_bits + diff_bits>;   // multiplier 10
-  using parabola = a_diff;                        // adder 11
+  using slope = uq<0, slope_bits>;               // node 31
+  using offset = sq<0, 1>;                       // node 32: +1/2 or -1/2
+  using slope_n = uq<10, slope_bits>;            // multiplier 6
+  using a = uq<10, slope_bits>;                  // adder 15
+  using cos2 = uq<1, diff_bits>;                 // multiplier 7
+  using cos_inv = sq<1, diff_bits>;              // inverter bank 8
+  using diff = sq<-2, diff_bits>;                // adder 9: cos^2 - cos, [-1/4, 0]
+  using a_diff = sq<8, slope_bits + diff_bits>;  // multiplier 10
+  using parabola = a_diff;                       // adder 11
   using brdf = std::conditional_t<Lobe == lobe::clamped, unit<cos_bits>, sq<8, cos_bits>>;
   using out = std::conditional_t<Lobe == lobe::clamped, uq<8, cos_bits>, sq<16, cos_bits>>;  // 12..14
 

@@ -10,8 +10,8 @@ namespace blysk {
 
 /// Writes to a device's registers, element i of each array is write i; all arrays have the same length.
 struct batch {
-  std::vector<std::uint16_t> n;                      ///< UQ10.0, 1..1000
-  std::vector<std::uint32_t> cos_delta;              ///< UQ1.f, 0..2^f
+  std::vector<std::uint16_t> n;                         ///< UQ10.0, 1..1000
+  std::vector<std::uint32_t> cos_delta;                 ///< UQ1.f, 0..2^f
   std::vector<std::uint8_t> red_ks, green_ks, blue_ks;  ///< UQ8.0
 
   std::size_t size() const { return n.size(); }

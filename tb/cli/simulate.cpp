@@ -95,12 +95,14 @@ class simulation {
     if (engine_ != nullptr) {
       engine_->run(block, raw_);
       for (std::size_t i = 0; i < block.size(); ++i) {
-        append(block, i, real(raw_.brdf[i]), real(raw_.red[i]), real(raw_.green[i]), real(raw_.blue[i]), text);
+        append(block, i, real(raw_.brdf[i]), real(raw_.red[i]), real(raw_.green[i]), real(raw_.blue[i]),
+               text);
       }
     } else {
       for (std::size_t i = 0; i < block.size(); ++i) {
         const double brdf = golden_brdf(block.n[i], block.cos_delta[i] / scale_);
-        append(block, i, brdf, brdf * block.red_ks[i], brdf * block.green_ks[i], brdf * block.blue_ks[i], text);
+        append(block, i, brdf, brdf * block.red_ks[i], brdf * block.green_ks[i], brdf * block.blue_ks[i],
+               text);
       }
     }
   }
@@ -116,8 +118,8 @@ class simulation {
   void append(const batch& block, std::size_t i, double brdf, double red, double green, double blue,
               fmt::memory_buffer& text) const {
     fmt::format_to(std::back_inserter(text), FMT_COMPILE("{},{},{},{},{},{},{},{},{}\n"), block.n[i],
-                   block.cos_delta[i] / scale_, block.red_ks[i], block.green_ks[i], block.blue_ks[i], brdf, red, green,
-                   blue);
+                   block.cos_delta[i] / scale_, block.red_ks[i], block.green_ks[i], block.blue_ks[i], brdf,
+                   red, green, blue);
   }
 
   const options& asked_;
@@ -133,7 +135,8 @@ void check(const options& asked) {
     throw usage_error("--coefficient exact has no wires, expected published or derived, or engine golden");
   }
   if (!asked.vcd.empty() && asked.engine != "systemc") {
-    throw usage_error(fmt::format("--vcd records signals and engine {} has none, expected engine systemc", asked.engine));
+    throw usage_error(
+        fmt::format("--vcd records signals and engine {} has none, expected engine systemc", asked.engine));
   }
 }
 
@@ -144,8 +147,8 @@ void report(const options& asked, std::uint64_t rows, const simulation& simulate
                               {"coefficient", asked.device.coefficient},
                               {"as_published", asked.device.as_published},
                               {"rows", rows}};
-  std::string text = fmt::format("{} rows through {} {}, engine {}", rows, asked.device.device, asked.device.format,
-                                 asked.engine);
+  std::string text = fmt::format("{} rows through {} {}, engine {}", rows, asked.device.device,
+                                 asked.device.format, asked.engine);
   if (simulated.systemc() != nullptr) {
     const auto cycles = simulated.systemc()->cycles();
     const double simulated_ns = static_cast<double>(cycles) * bench::kClockPeriodNs;
@@ -202,22 +205,28 @@ void add_simulate(CLI::App& program) {
   verb->add_option("--format", asked->device.format, "fraction bits of cos(delta)")
       ->check(CLI::IsMember(std::vector<std::string>(std::begin(format_names), std::end(format_names))))
       ->capture_default_str();
-  verb->add_option("--engine", asked->engine, "golden: the formula in double; bit: integers; systemc: the blocks")
+  verb->add_option("--engine", asked->engine,
+                   "golden: the formula in double; bit: integers; systemc: the blocks")
       ->check(CLI::IsMember(std::vector<std::string>(std::begin(engine_names), std::end(engine_names))))
       ->capture_default_str();
-  verb->add_option("--stimulus", asked->stimulus,
-                   "CSV with the header n,cos,r,g,b: n 1..1000, cos in [0, 1], colours 0..255; - for standard input")
+  verb->add_option(
+          "--stimulus", asked->stimulus,
+          "CSV with the header n,cos,r,g,b: n 1..1000, cos in [0, 1], colours 0..255; - for standard input")
       ->required();
-  verb->add_option("--results", asked->results,
-                   "CSV to write: the stimulus (cos as quantised) and brdf,red,green,blue; - for standard output")
+  verb->add_option(
+          "--results", asked->results,
+          "CSV to write: the stimulus (cos as quantised) and brdf,red,green,blue; - for standard output")
       ->required();
   verb->add_option("--vcd", asked->vcd, "record the waves (engine systemc)");
-  verb->add_option("--coefficient", asked->device.coefficient,
-                   "a = 0.786 n + 0.5 (published), 0.78694 n - 0.5 (derived), formula (9) (exact, engine golden)")
+  verb->add_option(
+          "--coefficient", asked->device.coefficient,
+          "a = 0.786 n + 0.5 (published), 0.78694 n - 0.5 (derived), formula (9) (exact, engine golden)")
       ->check(CLI::IsMember({"published", "derived", "exact"}))
       ->capture_default_str();
-  verb->add_option("--constant", asked->device.constant, "bits wired at node 31 after the point, such as 11001001");
-  verb->add_flag("--as-published", asked->device.as_published, "keep the negative lobe instead of clamping to [0, 1]");
+  verb->add_option("--constant", asked->device.constant,
+                   "bits wired at node 31 after the point, such as 11001001");
+  verb->add_flag("--as-published", asked->device.as_published,
+                 "keep the negative lobe instead of clamping to [0, 1]");
   verb->add_flag("--json", asked->json, "print the summary as JSON");
   verb->callback([asked] { run(*asked); });
 }

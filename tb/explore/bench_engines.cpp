@@ -68,9 +68,9 @@ void bit_kernel(benchmark::State& state) {
   std::vector<raw> brdf(kColumn), red(kColumn), green(kColumn), blue(kColumn);
   const wired_constants wired = derived_line(formats::slope_bits);
   for (auto _ : state) {
-    bit::quadratic_vector<formats>(wired, {writes.n.data(), writes.cos_delta.data(), writes.red_ks.data(),
-                                           writes.green_ks.data(), writes.blue_ks.data(), brdf.data(), red.data(),
-                                           green.data(), blue.data(), kColumn});
+    bit::quadratic_vector<formats>(
+        wired, {writes.n.data(), writes.cos_delta.data(), writes.red_ks.data(), writes.green_ks.data(),
+                writes.blue_ks.data(), brdf.data(), red.data(), green.data(), blue.data(), kColumn});
     benchmark::ClobberMemory();
   }
   set_items(state, kColumn);
@@ -105,7 +105,7 @@ double seconds(Work&& work) {
 }
 
 /// The least that a clocked SystemC model can be: a clock and one register.
-SC_MODULE(bare_clock) {
+struct bare_clock : sc_core::sc_module {
   sc_core::sc_clock clk{"clk", sc_core::sc_time(bench::kClockPeriodNs, sc_core::SC_NS)};
   sc_core::sc_signal<sc_dt::sc_uint<16>> SC_NAMED(q);
   SC_CTOR(bare_clock) {
@@ -161,7 +161,9 @@ class rate_reporter : public benchmark::ConsoleReporter {
 
 }  // namespace
 
-int sc_main(int, char**) { return 0; }
+int sc_main(int, char**) {
+  return 0;
+}
 
 int main(int argc, char** argv) {
   sc_core::sc_report_handler::set_actions(sc_core::SC_INFO, sc_core::SC_DO_NOTHING);
@@ -197,7 +199,8 @@ int main(int argc, char** argv) {
   ratio("bit q22 / golden Blinn (std::pow)", "bit_q22", "golden_blinn");
   ratio("bit q24 / golden Blinn (std::pow)", "bit_q24", "golden_blinn");
   ratio("systemc results, cos alone written / cycle of bare clock", "systemc_cos_only", "bare_clock");
-  ratio("systemc results, all registers written / cycle of bare clock", "systemc_all_registers", "bare_clock");
+  ratio("systemc results, all registers written / cycle of bare clock", "systemc_all_registers",
+        "bare_clock");
   ratio("systemc without a VCD / with one (price of the waves)", "systemc_cos_only", "systemc_cos_only_vcd");
   return 0;
 }

@@ -68,7 +68,7 @@ void check_all_inputs(const device_options& options) {
   SUCCEED("1000 exponents, " << one + 1 << " codes each");
 }
 
-constexpr std::uint32_t kAround = 8;          // codes on either side of every corner
+constexpr std::uint32_t kAround = 8;           // codes on either side of every corner
 constexpr std::size_t kRandomWrites = 100000;  // seed 60553
 
 /// All n at the corners of cos (both ends, 1/2, both sides of the lobe's root), then random writes.
@@ -116,12 +116,12 @@ TEST_CASE("q10 systemc = bit for all inputs, as published", "[unit][equality][fu
 }
 
 // A stated sample of the others.
-#define BLYSK_SAMPLE(format)                                                                           \
-  TEST_CASE(format " systemc = bit at corners and at random", "[unit][equality][full]") {              \
-    check_sample(options_of(format, "derived", false));                                                \
-  }                                                                                                    \
+#define BLYSK_SAMPLE(format)                                                                            \
+  TEST_CASE(format " systemc = bit at corners and at random", "[unit][equality][full]") {               \
+    check_sample(options_of(format, "derived", false));                                                 \
+  }                                                                                                     \
   TEST_CASE(format " systemc = bit at corners and at random, as published", "[unit][equality][full]") { \
-    check_sample(options_of(format, "published", true));                                               \
+    check_sample(options_of(format, "published", true));                                                \
   }
 BLYSK_SAMPLE("q12")
 BLYSK_SAMPLE("q14")

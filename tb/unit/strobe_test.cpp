@@ -33,7 +33,8 @@ outputs expected(const registers& r) {
   const auto blue = static_cast<std::uint8_t>(r.blue);
   std::int32_t brdf = 0;
   outputs out{};
-  bit::quadratic_vector<formats>(kWired, {&n, &r.cos_delta, &red, &green, &blue, &brdf, &out.red, &out.green, &out.blue, 1});
+  bit::quadratic_vector<formats>(
+      kWired, {&n, &r.cos_delta, &red, &green, &blue, &brdf, &out.red, &out.green, &out.blue, 1});
   return out;
 }
 
@@ -56,7 +57,9 @@ void put(const registers& data, const strobes& s) {
 }
 
 /// From one falling edge of clk to the next.
-void cycle() { sc_core::sc_start(bench::kClockPeriodNs, sc_core::SC_NS); }
+void cycle() {
+  sc_core::sc_start(bench::kClockPeriodNs, sc_core::SC_NS);
+}
 
 void reset() {
   pins.rst_n.write(false);
@@ -76,7 +79,9 @@ void load(const registers& data) {
   cycle();
 }
 
-std::uint32_t below(std::mt19937& random, std::uint32_t end) { return static_cast<std::uint32_t>(random() % end); }
+std::uint32_t below(std::mt19937& random, std::uint32_t end) {
+  return static_cast<std::uint32_t>(random() % end);
+}
 
 constexpr registers kFirst{10, 250, 200, 100, 50};
 constexpr registers kSecond{20, 253, 90, 80, 70};
@@ -228,10 +233,12 @@ TEST_CASE("random strobes do what the patent's words say", "[unit][strobe]") {
   registers held, data;
   bool strobe17 = false;
   for (int i = 0; i < 20000; ++i) {
-    const strobes s{random() % 4 == 0, random() % 2 == 0, random() % 4 == 0, random() % 4 == 0, random() % 4 == 0};
+    const strobes s{random() % 4 == 0, random() % 2 == 0, random() % 4 == 0, random() % 4 == 0,
+                    random() % 4 == 0};
     const bool in_reset = random() % 64 == 0;
     if (random() % 2 == 0) {
-      data = {below(random, 1000) + 1, below(random, 257), below(random, 256), below(random, 256), below(random, 256)};
+      data = {below(random, 1000) + 1, below(random, 257), below(random, 256), below(random, 256),
+              below(random, 256)};
     }
     put(data, s);
     pins.rst_n.write(!in_reset);

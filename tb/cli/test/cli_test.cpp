@@ -25,7 +25,8 @@ namespace fs = std::filesystem;
 class scratch {
  public:
   scratch() {
-    std::string pattern = (fs::temp_directory_path() / "blysk test XXXXXX").string();  // a blank in every path
+    std::string pattern =
+        (fs::temp_directory_path() / "blysk test XXXXXX").string();  // a blank in every path
     folder_ = mkdtemp(pattern.data());
   }
   ~scratch() {
@@ -42,7 +43,8 @@ class scratch {
   }
   std::vector<std::string> names() const {
     std::vector<std::string> names;
-    for (const auto& entry : fs::directory_iterator(folder_)) names.push_back(entry.path().filename().string());
+    for (const auto& entry : fs::directory_iterator(folder_))
+      names.push_back(entry.path().filename().string());
     return names;
   }
 
@@ -62,12 +64,15 @@ struct outcome {
   std::string out, err;
 };
 
-std::string quoted(const std::string& text) { return "'" + text + "'"; }
+std::string quoted(const std::string& text) {
+  return "'" + text + "'";
+}
 
 outcome blysk(const scratch& folder, const std::string& arguments) {
   const std::string out = folder.path("stdout.txt");
   const std::string err = folder.path("stderr.txt");
-  const int raw = std::system((quoted(BLYSK_PROGRAM) + " " + arguments + " >" + quoted(out) + " 2>" + quoted(err)).c_str());
+  const int raw = std::system(
+      (quoted(BLYSK_PROGRAM) + " " + arguments + " >" + quoted(out) + " 2>" + quoted(err)).c_str());
   outcome result{WIFEXITED(raw) ? WEXITSTATUS(raw) : -1, slurp(out), slurp(err)};
   fs::remove(out);
   fs::remove(err);
@@ -98,11 +103,13 @@ TEST_CASE("simulate gives the same rows through bit and systemc", "[cli]") {
 TEST_CASE("simulate, golden, is the formula at the quantised cosine", "[cli]") {
   const scratch folder;
   const std::string in = folder.write("in.csv", "n,cos,r,g,b\n10,0.9,200,100,50\n");
-  REQUIRE(blysk(folder, simulate(in, folder.path("out.csv"), "--engine golden --format q8 --coefficient published")).status == 0);
+  REQUIRE(blysk(folder,
+                simulate(in, folder.path("out.csv"), "--engine golden --format q8 --coefficient published"))
+              .status == 0);
   // 0.9 * 256 = 230.4, so c = 230/256; a = 8.36. Four roundings of values below 8.36, 2^-53 relative each.
   double brdf = 0;
-  REQUIRE(std::sscanf(slurp(folder.path("out.csv")).c_str(), "n,cos,r,g,b,brdf,red,green,blue\n10,0.8984375,200,100,50,%lf",
-                      &brdf) == 1);
+  REQUIRE(std::sscanf(slurp(folder.path("out.csv")).c_str(),
+                      "n,cos,r,g,b,brdf,red,green,blue\n10,0.8984375,200,100,50,%lf", &brdf) == 1);
   const double c = 230.0 / 256;
   CHECK(std::abs(brdf - (8.36 * (c * c - c) + c)) < 8.36 * 4e-16);
 }
@@ -110,8 +117,9 @@ TEST_CASE("simulate, golden, is the formula at the quantised cosine", "[cli]") {
 TEST_CASE("simulate tolerates CRLF, a byte order mark, blanks and empty lines", "[cli]") {
   const scratch folder;
   const std::string plain = folder.write("plain.csv", kGood);
-  const std::string odd = folder.write(
-      "odd.csv", "\xEF\xBB\xBFn, cos,r,g,b\r\n1,0,255,0,1\r\n\r\n 10 ,\t0.99,200,100,50\r\n1000,1,255,255,255\r\n50,0.5,3,2,1");
+  const std::string odd = folder.write("odd.csv",
+                                       "\xEF\xBB\xBFn, cos,r,g,b\r\n1,0,255,0,1\r\n\r\n 10 "
+                                       ",\t0.99,200,100,50\r\n1000,1,255,255,255\r\n50,0.5,3,2,1");
   REQUIRE(blysk(folder, simulate(plain, folder.path("a.csv"))).status == 0);
   REQUIRE(blysk(folder, simulate(odd, folder.path("b.csv"))).status == 0);
   CHECK(slurp(folder.path("a.csv")) == slurp(folder.path("b.csv")));
@@ -131,7 +139,8 @@ TEST_CASE("simulate streams many rows through blocks without losing one", "[cli]
   std::string text = "n,cos,r,g,b\n";
   constexpr int kRows = 50000;  // several blocks and input buffers
   for (int i = 0; i < kRows; ++i) {
-    text += std::to_string(1 + i % 1000) + "," + std::to_string(i % 1001 / 1000.0) + "," + std::to_string(i % 256) + ",2,3\n";
+    text += std::to_string(1 + i % 1000) + "," + std::to_string(i % 1001 / 1000.0) + "," +
+            std::to_string(i % 256) + ",2,3\n";
   }
   const std::string in = folder.write("in.csv", text);
   REQUIRE(blysk(folder, simulate(in, folder.path("bit.csv"))).status == 0);
@@ -144,16 +153,18 @@ TEST_CASE("simulate streams many rows through blocks without losing one", "[cli]
 TEST_CASE("simulate records waves under the names of fig. 1", "[cli]") {
   const scratch folder;
   const std::string in = folder.write("in.csv", kGood);
-  const outcome done = blysk(folder, simulate(in, folder.path("out.csv"), "--engine systemc --vcd " + quoted(folder.path("w.vcd")) + " --json"));
+  const outcome done =
+      blysk(folder, simulate(in, folder.path("out.csv"),
+                             "--engine systemc --vcd " + quoted(folder.path("w.vcd")) + " --json"));
   REQUIRE(done.status == 0);
   const auto summary = nlohmann::json::parse(done.out);
   CHECK(summary["rows"] == 4);
   CHECK(summary["writes"] == 5);
   CHECK(summary["cycles"] == 12);  // 2 of reset, 2 a write, the confirming one included
   const std::string waves = slurp(folder.path("w.vcd"));
-  for (const char* name : {" clk ", " rst_n ", " strobe17 ", " valid29 ", " cos18 ", " out25_red ", " out26_green ",
-                           " out27_blue ", "module rg1 ", "module rg5 ", "module mul6 ", "module mul14 ", "module add9 ",
-                           "module add15 ", "module inv8 ", "1 ps"}) {
+  for (const char* name : {" clk ", " rst_n ", " strobe17 ", " valid29 ", " cos18 ", " out25_red ",
+                           " out26_green ", " out27_blue ", "module rg1 ", "module rg5 ", "module mul6 ",
+                           "module mul14 ", "module add9 ", "module add15 ", "module inv8 ", "1 ps"}) {
     CAPTURE(name);
     CHECK(waves.find(name) != std::string::npos);
   }
@@ -192,7 +203,8 @@ TEST_CASE("simulate says what is wrong with a stimulus, where, and leaves no out
     for (const char* engine : {"golden", "bit", "systemc"}) {
       const scratch folder;
       const std::string in = folder.write("in.csv", wrong.text);
-      const outcome failed = blysk(folder, simulate(in, folder.path("out.csv"), std::string("--engine ") + engine));
+      const outcome failed =
+          blysk(folder, simulate(in, folder.path("out.csv"), std::string("--engine ") + engine));
       CAPTURE(wrong.name, engine, failed.err);
       CHECK(failed.status == 2);
       CHECK(failed.err.starts_with("blysk: " + in + ":" + std::to_string(wrong.line) + ": " + wrong.message));
@@ -224,7 +236,8 @@ TEST_CASE("files that cannot be read or written get one line", "[cli]") {
     CHECK(failed.err.find(message) != std::string::npos);
     CHECK(std::count(failed.err.begin(), failed.err.end(), '\n') == 1);
   };
-  fails(simulate(folder.path("none.csv"), folder.path("out.csv")), ":0: cannot be read (No such file or directory)");
+  fails(simulate(folder.path("none.csv"), folder.path("out.csv")),
+        ":0: cannot be read (No such file or directory)");
   fails(simulate(folder.path(""), folder.path("out.csv")), ":0: is a directory, expected a CSV file");
   fails(simulate(in, folder.path("")), ":0: is a directory, expected a file to write");
   fails(simulate(in, folder.path("none/out.csv")), ":0: cannot be written (No such file or directory)");
@@ -244,9 +257,10 @@ TEST_CASE("wrong use gets one line and status 2", "[cli]") {
   const std::string out = folder.path("out.csv");
   for (const std::string& arguments :
        {std::string(), std::string("simulate"), std::string("polish"), simulate(in, out, "--format q9"),
-        simulate(in, out, "--device sphere"), simulate(in, out, "--engine magic"), simulate(in, out, "--colour 3"),
-        simulate(in, out, "--coefficient exact"), simulate(in, out, "--vcd w.vcd"),
-        simulate(in, out, "--constant 0110"), simulate(in, out, "--engine golden --constant 110011"),
+        simulate(in, out, "--device sphere"), simulate(in, out, "--engine magic"),
+        simulate(in, out, "--colour 3"), simulate(in, out, "--coefficient exact"),
+        simulate(in, out, "--vcd w.vcd"), simulate(in, out, "--constant 0110"),
+        simulate(in, out, "--engine golden --constant 110011"),
         std::string("model nobody --points ") + quoted(in) + " --results -"}) {
     const outcome failed = blysk(folder, arguments);
     CAPTURE(arguments, failed.err);
@@ -264,7 +278,8 @@ TEST_CASE("model gives 17 digits and keeps the points' text", "[cli]") {
   REQUIRE(done.status == 0);
   CHECK(done.out == "n,cos,value\n2,.75,0.5625\n1000,1e0,1\n1,0.1,0.10000000000000001\n");
   folder.write("in.csv", "n,cos\n2,0.5\n2,1.5\n");
-  const outcome failed = blysk(folder, "model blinn --points " + quoted(in) + " --results " + quoted(folder.path("out.csv")));
+  const outcome failed =
+      blysk(folder, "model blinn --points " + quoted(in) + " --results " + quoted(folder.path("out.csv")));
   CHECK(failed.status == 2);
   CHECK(failed.err.starts_with("blysk: " + in + ":3: "));
   CHECK(folder.names() == std::vector<std::string>{"in.csv"});
@@ -275,7 +290,8 @@ TEST_CASE("list names what there is, for people and for programs", "[cli]") {
   const auto json = nlohmann::json::parse(blysk(folder, "list --json").out);
   const std::string text = blysk(folder, "list").out;
   CHECK(json["models"].size() >= 16);
-  for (const auto& model : json["models"]) CHECK(text.find(model["name"].get<std::string>()) != std::string::npos);
+  for (const auto& model : json["models"])
+    CHECK(text.find(model["name"].get<std::string>()) != std::string::npos);
   for (const char* engine : {"golden", "bit", "systemc"}) {
     CHECK(std::count(json["engines"].begin(), json["engines"].end(), engine) == 1);
   }
