@@ -20,10 +20,6 @@ error_summary measure(lobe which, double n) {
   return result;
 }
 
-int first_exponent(epicentre where) {
-  return where == epicentre::inflection ? 2 : 1;
-}
-
 }  // namespace
 
 std::string at(const worst& w, int digits) {
