@@ -9,8 +9,8 @@ namespace blysk::cosim {
 
 /// Engine on the class that Verilator makes of a device with the ports of fig. 1.
 /// \tparam Device  has the member `top`, that class, and brdf(), the net between quant11 and multipliers 12..14
-template <class Device>
-class verilated_quadratic final : public verilator_engine {
+template <class Device, class Base = verilator_engine>
+class verilated_quadratic : public Base {
  public:
   void run(const batch& in, results& out) override {
     out.resize(in.size());
@@ -51,6 +51,9 @@ class verilated_quadratic final : public verilator_engine {
 
   std::uint64_t cycles() const override { return cycles_; }
   std::uint64_t writes() const override { return writes_; }
+
+ protected:
+  Device device_;
 
  private:
   static constexpr int kResetCycles = 2;
@@ -102,7 +105,6 @@ class verilated_quadratic final : public verilator_engine {
     out.blue[i] = static_cast<std::int64_t>(device_.top.b_o);
   }
 
-  Device device_;
   std::uint64_t cycles_ = 0;
   std::uint64_t writes_ = 0;
 };

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Strobes as a host may send them, in every order.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <random>
+
+#include "tb/cosim/verilator_engine.h"
+
+namespace blysk::cosim {
+
+/// Strobes and data of one clock cycle: they change with the falling edge of clk.
+class strobe_sequence {
+ public:
+  explicit strobe_sequence(int fraction) : codes_((std::uint64_t{1} << fraction) + 1) {}
+
+  /// Sequences of 16 cycles keep to one pattern; every 64th starts with a reset, in whatever the registers do.
+  pins next(pins now) {
+    if (cycle_ % 16 == 0) which_ = static_cast<pattern>(random_() % 4);
+    now.rst_n = cycle_ % (64 * 16) >= 2;
+    now.n_i = exponent();
+    now.cos_i = cosine();
+    now.r_i = byte();
+    now.g_i = byte();
+    now.b_i = byte();
+    const bool toggled = !now.cos_we_i;
+    const auto strobe = [&](bool is_17) {
+      switch (which_) {
+        case pattern::quiet:
+          return false;
+        case pattern::together:
+          return toggled;
+        case pattern::back_to_back:
+          return is_17 ? toggled : bit();
+        case pattern::any:
+          break;
+      }
+      return bit();
+    };
+    now.cos_we_i = strobe(true);
+    now.n_we_i = strobe(false);
+    now.r_we_i = strobe(false);
+    now.g_we_i = strobe(false);
+    now.b_we_i = strobe(false);
+    ++cycle_;
+    return now;
+  }
+
+ private:
+  enum class pattern { any, quiet, back_to_back, together };
+
+  // Small ones are as frequent as large ones, whose lobes are so narrow that most cosines lie beyond.
+  std::uint16_t exponent() {
+    const unsigned below = 1u << random_() % 11;
+    return static_cast<std::uint16_t>(std::min<std::uint64_t>(1 + random_() % below, 1000));
+  }
+  // Every fourth lies within 64 codes of 1, where the lobe of a large n is.
+  std::uint32_t cosine() {
+    const std::uint64_t reach = random_() % 4 == 0 ? std::min<std::uint64_t>(codes_, 64) : codes_;
+    return static_cast<std::uint32_t>(codes_ - 1 - random_() % reach);
+  }
+  bool bit() { return (random_() & 1) != 0; }
+  std::uint8_t byte() { return static_cast<std::uint8_t>(random_() & 255); }
+
+  std::mt19937_64 random_{1};
+  std::uint64_t codes_;
+  std::uint64_t cycle_ = 0;
+  pattern which_ = pattern::any;
+};
+
+}  // namespace blysk::cosim
