@@ -47,4 +47,14 @@ class engine {
   virtual void run(const batch& in, results& out) = 0;
 };
 
+/// An engine with a clock.
+class clocked_engine : public engine {
+ public:
+  /// Clock cycles simulated so far, those of the reset included.
+  virtual std::uint64_t cycles() const = 0;
+
+  /// Writes to register 2 so far, the confirming ones at the end of each run() included.
+  virtual std::uint64_t writes() const = 0;
+};
+
 }  // namespace blysk

@@ -19,6 +19,7 @@ int run(int argc, char** argv) {
   program.footer("Exit status: 0 done, 1 a check failed or results differ, 2 bad use or bad input.");
   blysk::cli::add_simulate(program);
   blysk::cli::add_model(program);
+  blysk::cli::add_export(program);
   blysk::cli::add_list(program);
   try {
     program.parse(argc, argv);

@@ -11,9 +11,11 @@
 
 #include "tb/bench/systemc_engine.h"
 #include "tb/bit/quadratic.h"
+#include "tb/cli/device_arguments.h"
 #include "tb/cli/engines.h"
 #include "tb/cli/files.h"
 #include "tb/cli/verbs.h"
+#include "tb/cosim/verilator_engine.h"
 #include "tb/golden/lobes.h"
 
 namespace blysk::cli {
@@ -82,6 +84,11 @@ class simulation {
     } else if (asked.engine == "systemc") {
       auto made = bench::make_systemc(asked.device);
       systemc_ = made.get();
+      clocked_ = systemc_;
+      engine_ = std::move(made);
+    } else if (asked.engine == "verilator") {
+      auto made = cosim::make_verilator(asked.device);
+      clocked_ = made.get();
       engine_ = std::move(made);
     } else if (!asked.device.constant.empty()) {
       throw usage_error("--constant is wired in hardware, expected engine bit or systemc");
@@ -90,6 +97,7 @@ class simulation {
 
   double scale() const { return scale_; }
   bench::systemc_engine* systemc() const { return systemc_; }
+  const clocked_engine* clocked() const { return clocked_; }
 
   void run(const batch& block, fmt::memory_buffer& text) {
     if (engine_ != nullptr) {
@@ -126,6 +134,7 @@ class simulation {
   double scale_;
   std::unique_ptr<engine> engine_;            // null: golden
   bench::systemc_engine* systemc_ = nullptr;  // engine_ if it is SystemC
+  const clocked_engine* clocked_ = nullptr;   // engine_ if it has a clock
   results raw_;
 };
 
@@ -149,11 +158,11 @@ void report(const options& asked, std::uint64_t rows, const simulation& simulate
                               {"rows", rows}};
   std::string text = fmt::format("{} rows through {} {}, engine {}", rows, asked.device.device,
                                  asked.device.format, asked.engine);
-  if (simulated.systemc() != nullptr) {
-    const auto cycles = simulated.systemc()->cycles();
+  if (simulated.clocked() != nullptr) {
+    const auto cycles = simulated.clocked()->cycles();
     const double simulated_ns = static_cast<double>(cycles) * bench::kClockPeriodNs;
     json["cycles"] = cycles;
-    json["writes"] = simulated.systemc()->writes();
+    json["writes"] = simulated.clocked()->writes();
     json["simulated_ns"] = simulated_ns;
     text += fmt::format(": {} clock cycles, {} ns simulated", cycles, simulated_ns);
   }
@@ -199,14 +208,10 @@ void run(const options& asked) {
 void add_simulate(CLI::App& program) {
   auto* verb = program.add_subcommand("simulate", "Run a device on the writes of a CSV file");
   auto asked = std::make_shared<options>();
-  verb->add_option("--device", asked->device.device, "device")
-      ->check(CLI::IsMember(std::vector<std::string>(std::begin(device_names), std::end(device_names))))
-      ->capture_default_str();
-  verb->add_option("--format", asked->device.format, "fraction bits of cos(delta)")
-      ->check(CLI::IsMember(std::vector<std::string>(std::begin(format_names), std::end(format_names))))
-      ->capture_default_str();
+  add_device_arguments(*verb, asked->device, {"published", "derived", "exact"});
   verb->add_option("--engine", asked->engine,
-                   "golden: the formula in double; bit: integers; systemc: the blocks")
+                   "golden: the formula in double; bit: integers; systemc: the blocks; "
+                   "verilator: their exported Verilog")
       ->check(CLI::IsMember(std::vector<std::string>(std::begin(engine_names), std::end(engine_names))))
       ->capture_default_str();
   verb->add_option(
@@ -218,15 +223,6 @@ void add_simulate(CLI::App& program) {
           "CSV to write: the stimulus (cos as quantised) and brdf,red,green,blue; - for standard output")
       ->required();
   verb->add_option("--vcd", asked->vcd, "record the waves (engine systemc)");
-  verb->add_option(
-          "--coefficient", asked->device.coefficient,
-          "a = 0.786 n + 0.5 (published), 0.78694 n - 0.5 (derived), formula (9) (exact, engine golden)")
-      ->check(CLI::IsMember({"published", "derived", "exact"}))
-      ->capture_default_str();
-  verb->add_option("--constant", asked->device.constant,
-                   "bits wired at node 31 after the point, such as 11001001");
-  verb->add_flag("--as-published", asked->device.as_published,
-                 "keep the negative lobe instead of clamping to [0, 1]");
   verb->add_flag("--json", asked->json, "print the summary as JSON");
   verb->callback([asked] { run(*asked); });
 }

@@ -100,6 +100,37 @@ TEST_CASE("simulate gives the same rows through bit and systemc", "[cli]") {
   }
 }
 
+TEST_CASE("simulate gives the same rows through the exported Verilog", "[cli]") {
+  const scratch folder;
+  const std::string in = folder.write("in.csv", kGood);
+  for (const std::string format : {"q8", "q16", "q24"}) {
+    CAPTURE(format);
+    const std::string more = " --format " + format;
+    REQUIRE(blysk(folder, simulate(in, folder.path("bit.csv"), "--engine bit" + more)).status == 0);
+    REQUIRE(blysk(folder, simulate(in, folder.path("verilog.csv"), "--engine verilator" + more)).status == 0);
+    CHECK(slurp(folder.path("bit.csv")) == slurp(folder.path("verilog.csv")));
+  }
+}
+
+TEST_CASE("export writes the device's Verilog", "[cli]") {
+  const scratch folder;
+  const std::string rtl = folder.path("rtl");
+  REQUIRE(blysk(folder, "export --device quadratic --format q12 --output " + quoted(rtl)).status == 0);
+  CHECK(slurp(rtl + "/blysk_quadratic_q12.v").find("module blysk_quadratic_q12 (") != std::string::npos);
+  CHECK(fs::exists(rtl + "/blysk_quadratic_q12.f"));
+  const std::string file = folder.write("file", "");
+  const std::string no = " --output " + quoted(folder.path("no"));
+  for (const std::string& arguments :
+       {"export --format q9" + no, "export --constant 0" + no, "export --output " + quoted(file)}) {
+    const outcome failed = blysk(folder, arguments);
+    CAPTURE(arguments, failed.err);
+    CHECK(failed.status == 2);
+    CHECK(failed.err.starts_with("blysk: "));
+    CHECK(std::count(failed.err.begin(), failed.err.end(), '\n') == 1);
+    CHECK_FALSE(fs::exists(folder.path("no")));
+  }
+}
+
 TEST_CASE("simulate, golden, is the formula at the quantised cosine", "[cli]") {
   const scratch folder;
   const std::string in = folder.write("in.csv", "n,cos,r,g,b\n10,0.9,200,100,50\n");
@@ -292,14 +323,14 @@ TEST_CASE("list names what there is, for people and for programs", "[cli]") {
   CHECK(json["models"].size() >= 16);
   for (const auto& model : json["models"])
     CHECK(text.find(model["name"].get<std::string>()) != std::string::npos);
-  for (const char* engine : {"golden", "bit", "systemc"}) {
+  for (const char* engine : {"golden", "bit", "systemc", "verilator"}) {
     CHECK(std::count(json["engines"].begin(), json["engines"].end(), engine) == 1);
   }
 }
 
 TEST_CASE("every verb has its help", "[cli]") {
   const scratch folder;
-  for (const std::string verb : {"", "simulate", "model", "list"}) {
+  for (const std::string verb : {"", "simulate", "model", "export", "list"}) {
     const outcome help = blysk(folder, verb + " --help");
     CAPTURE(verb);
     CHECK(help.status == 0);
