@@ -33,14 +33,14 @@ show_newest_line() {
 
 wants_help() { [ "${1:-}" = --help ] || [ "${1:-}" = -h ]; }
 
-# Configures build/ where that was not done yet, and builds.
+# build [TARGET...]: configures build/ where that was not done yet, and builds the targets, or all.
 build() {
   if [ ! -f "$root/build/build.ninja" ]; then
     say "configuring build/"
     logged configure cmake -S "$root" --preset release || exit 1
   fi
   say "building"
-  logged build cmake --build "$root/build" || exit 1
+  logged build cmake --build "$root/build" ${1:+--target "$@"} || exit 1
 }
 
 # fit_layout FILE.vcd FILE.gtkw: the layout with the bus widths of the waveform, and with its fraction bits where it

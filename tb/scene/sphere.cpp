@@ -218,6 +218,7 @@ int main(int argc, char** argv) {
   CLI::App program{"A lit sphere whose highlight the SystemC device computes: pictures, waves, report",
                    "sphere"};
   program.add_option("--output", asked.output, "folder for sphere.png, report.md, quadratic.vcd")
+      ->take_last()
       ->capture_default_str();
   program.add_option("--format", asked.device.format, "fraction bits of cos(delta)")
       ->check(CLI::IsMember(std::vector<std::string>(std::begin(format_names), std::end(format_names))))
