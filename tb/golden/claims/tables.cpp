@@ -8,7 +8,7 @@
 #include "tb/golden/claims/slopes.h"
 #include "tb/golden/claims/sweep.h"
 #include "tb/golden/naive.h"
-#include "tb/golden/test/referee.h"
+#include "tb/golden/referee.h"
 
 namespace blysk::golden {
 namespace {

@@ -12,8 +12,8 @@
 #include "tb/golden/claims/slopes.h"
 #include "tb/golden/claims/sweep.h"
 #include "tb/golden/naive.h"
+#include "tb/golden/referee.h"
 #include "tb/golden/shift_division.h"
-#include "tb/golden/test/referee.h"
 
 namespace {
 

@@ -7,6 +7,7 @@
 #include "tb/catch.h"
 #include "tb/golden/angle.h"
 #include "tb/golden/errors.h"
+#include "tb/golden/shift_division.h"
 #include "tb/golden/sphere.h"
 
 using namespace blysk::golden;
@@ -110,4 +111,17 @@ TEST_CASE("the sphere is round, faces the viewer and peaks where the normal is t
   const auto half_vec = half_vector(scene.light, scene.view);
   // No normal is nearer to the half vector than that of the brightest pixel.
   for (const auto& normal : normals) REQUIRE(dot(normal, half_vec) <= dot(normals[brightest], half_vec));
+}
+
+TEST_CASE("division by shifts rounds 1/k to the nearest number of its places", "[golden][shifts]") {
+  CHECK(reciprocal_digits(7, 6) == 0b001001);  // 1/8 + 1/64, [T] (2.19)
+  for (uint32_t k = 2; k <= 1000; ++k) {
+    for (int places = 1; places <= 16; ++places) {
+      CAPTURE(k, places);
+      // |digits / 2^places - 1/k| <= 2^-(places + 1), in whole numbers.
+      const auto error = std::abs(int64_t{reciprocal_digits(k, places)} * k - (int64_t{1} << places));
+      REQUIRE(2 * error <= k);
+    }
+  }
+  CHECK(shifted_quotient(255, 7, 6) == 255 * 9 / 64.0);
 }
