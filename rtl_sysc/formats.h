@@ -11,15 +11,20 @@
 namespace blysk {
 
 /// Named formats, what a user picks: q8 .. q24 are the fraction bits of cos(delta).
-struct q8 { static constexpr int frac = 8; };
-struct q10 { static constexpr int frac = 10; };
-struct q12 { static constexpr int frac = 12; };
-struct q14 { static constexpr int frac = 14; };
-struct q16 { static constexpr int frac = 16; };
-struct q18 { static constexpr int frac = 18; };
-struct q20 { static constexpr int frac = 20; };
-struct q22 { static constexpr int frac = 22; };
-struct q24 { static constexpr int frac = 24; };
+template <int Frac>
+struct named_format {
+  static constexpr int frac = Frac;
+};
+
+struct q8 : named_format<8> {};
+struct q10 : named_format<10> {};
+struct q12 : named_format<12> {};
+struct q14 : named_format<14> {};
+struct q16 : named_format<16> {};
+struct q18 : named_format<18> {};
+struct q20 : named_format<20> {};
+struct q22 : named_format<22> {};
+struct q24 : named_format<24> {};
 
 /// What becomes of the parabola's negative lobe, 0 < c < 1 - 1/a (spec erratum E4).
 enum class lobe {
@@ -27,7 +32,9 @@ enum class lobe {
   as_published  ///< it goes through, down to -a/4, about -196 at n = 1000
 };
 
-constexpr int min_of(int a, int b) { return a < b ? a : b; }
+constexpr int min_of(int a, int b) {
+  return a < b ? a : b;
+}
 
 /// Specular exponent n, 1..1000.
 struct exponent : uq<10, 0> {
@@ -52,15 +59,15 @@ struct quadratic_formats {
 
   using n = exponent;
   using cos_delta = unit<cos_bits>;
-  using slope = uq<0, slope_bits>;                // node 31
-  using offset = sq<0, 1>;                        // node 32: +1/2 or -1/2
-  using slope_n = uq<10, slope_bits>;             // multiplier 6
-  using a = uq<10, slope_bits>;                   // adder 15
-  using cos2 = uq<1, diff_bits>;                  // multiplier 7
-  using cos_inv = sq<1, diff_bits>;               // inverter bank 8
-  using diff = sq<-2, diff_bits>;                 // adder 9: cos^2 - cos, [-1/4, 0]
-  using a_diff = sq<8, slope_bits + diff_bits>;   // multiplier 10
-  using parabola = a_diff;                        // adder 11
+  using slope = uq<0, slope_bits>;               // node 31
+  using offset = sq<0, 1>;                       // node 32: +1/2 or -1/2
+  using slope_n = uq<10, slope_bits>;            // multiplier 6
+  using a = uq<10, slope_bits>;                  // adder 15
+  using cos2 = uq<1, diff_bits>;                 // multiplier 7
+  using cos_inv = sq<1, diff_bits>;              // inverter bank 8
+  using diff = sq<-2, diff_bits>;                // adder 9: cos^2 - cos, [-1/4, 0]
+  using a_diff = sq<8, slope_bits + diff_bits>;  // multiplier 10
+  using parabola = a_diff;                       // adder 11
   using brdf = std::conditional_t<Lobe == lobe::clamped, unit<cos_bits>, sq<8, cos_bits>>;
   using out = std::conditional_t<Lobe == lobe::clamped, uq<8, cos_bits>, sq<16, cos_bits>>;  // 12..14
 

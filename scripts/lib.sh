@@ -33,12 +33,30 @@ show_newest_line() {
 
 wants_help() { [ "${1:-}" = --help ] || [ "${1:-}" = -h ]; }
 
-# Configures build/ where that was not done yet, and builds.
+# build [TARGET...]: configures build/ where that was not done yet, and builds the targets, or all.
 build() {
   if [ ! -f "$root/build/build.ninja" ]; then
     say "configuring build/"
     logged configure cmake -S "$root" --preset release || exit 1
   fi
   say "building"
-  logged build cmake --build "$root/build" || exit 1
+  logged build cmake --build "$root/build" ${1:+--target "$@"} || exit 1
+}
+
+# fit_layout FILE.vcd FILE.gtkw: the layout with the bus widths of the waveform, and with its fraction bits where it
+# scales by those of q16.
+fit_layout() {
+  awk '
+    NR == FNR && $1 == "$scope" && $3 != "SystemC" { scope = $3 "." }
+    NR == FNR && $1 == "$upscope" { scope = "" }
+    NR == FNR && $1 == "$var" && $6 ~ /^\[/ { range["SystemC." scope $5] = $6 }
+    NR == FNR { next }
+    FNR == 1 { split(substr(range["SystemC.cos18"], 2), bits, ":") }
+    /^\[fpshift_count\]/ && bits[1] { print $1, bits[1]; next }
+    match($0, /\[[0-9]+:0\]$/) {  # "SystemC.net[7:0]" or "+{alias} SystemC.net[7:0]"
+      start = index($0, "SystemC.")
+      name = substr($0, start, RSTART - start)
+      if (name in range) $0 = substr($0, 1, RSTART - 1) range[name]
+    }
+    { print }' "$1" "$2"
 }

@@ -16,7 +16,8 @@ wired_constants wire_constants(const device_options& options) {
   } else if (options.coefficient == "derived") {
     wired = derived_line(bits);
   } else {
-    throw std::invalid_argument("coefficient " + options.coefficient + " cannot be wired, expected published or derived");
+    throw std::invalid_argument("coefficient " + options.coefficient +
+                                " cannot be wired, expected published or derived");
   }
   const std::string& constant = options.constant;
   if (!constant.empty()) {

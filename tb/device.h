@@ -15,12 +15,13 @@ struct device_options {
   std::string device = "quadratic";
   std::string format = "q16";
   std::string coefficient = "derived";  ///< published | derived
-  std::string constant;       ///< fraction bits wired at node 31, as "11001001"; empty: the line's slope, rounded
+  std::string constant;  ///< fraction bits wired at node 31, as "11001001"; empty: the line's slope, rounded
   bool as_published = false;  ///< keep the parabola's negative lobe (spec erratum E4)
 };
 
 inline constexpr std::string_view device_names[] = {"quadratic"};
-inline constexpr std::string_view format_names[] = {"q8", "q10", "q12", "q14", "q16", "q18", "q20", "q22", "q24"};
+inline constexpr std::string_view format_names[] = {"q8",  "q10", "q12", "q14", "q16",
+                                                    "q18", "q20", "q22", "q24"};
 inline constexpr std::string_view coefficient_names[] = {"published", "derived"};
 
 namespace detail {

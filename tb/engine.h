@@ -10,8 +10,8 @@ namespace blysk {
 
 /// Writes to a device's registers, element i of each array is write i; all arrays have the same length.
 struct batch {
-  std::vector<std::uint16_t> n;                      ///< UQ10.0, 1..1000
-  std::vector<std::uint32_t> cos_delta;              ///< UQ1.f, 0..2^f
+  std::vector<std::uint16_t> n;                         ///< UQ10.0, 1..1000
+  std::vector<std::uint32_t> cos_delta;                 ///< UQ1.f, 0..2^f
   std::vector<std::uint8_t> red_ks, green_ks, blue_ks;  ///< UQ8.0
 
   std::size_t size() const { return n.size(); }
@@ -45,6 +45,16 @@ class engine {
 
   /// Computes out[i] from in[i] for all i; resizes out. Values outside the formats' legal ranges are not checked.
   virtual void run(const batch& in, results& out) = 0;
+};
+
+/// An engine with a clock.
+class clocked_engine : public engine {
+ public:
+  /// Clock cycles simulated so far, those of the reset included.
+  virtual std::uint64_t cycles() const = 0;
+
+  /// Writes to register 2 so far, the confirming ones at the end of each run() included.
+  virtual std::uint64_t writes() const = 0;
 };
 
 }  // namespace blysk

@@ -14,7 +14,7 @@ namespace blysk {
 ///            asserts that no sum overflows S.
 /// Timing     combinational.   Error  none.
 template <class A, class B, class S>
-SC_MODULE(add) {
+struct add : sc_core::sc_module {
   sc_core::sc_in<typename A::raw_t> SC_NAMED(a_i);
   sc_core::sc_in<typename B::raw_t> SC_NAMED(b_i);
   sc_core::sc_in<uq<1, 0>::raw_t> SC_NAMED(carry_i);

@@ -9,7 +9,7 @@ namespace blysk {
 ///
 /// Instances  buf29: strobe 17 leaves as output 29 of [P] fig. 1.
 /// Timing     combinational.   Error  none.
-SC_MODULE(buffer) {
+struct buffer : sc_core::sc_module {
   sc_core::sc_in<bool> SC_NAMED(a_i);
   sc_core::sc_out<bool> SC_NAMED(y_o);
 

@@ -11,7 +11,7 @@ namespace blysk {
 /// Formats    y_o: Q; raw is the integer on the wires.
 /// Timing     none.   Error  none.
 template <class Q>
-SC_MODULE(constant) {
+struct constant : sc_core::sc_module {
   sc_core::sc_out<typename Q::raw_t> SC_NAMED(y_o);
 
   SC_HAS_PROCESS(constant);

@@ -14,7 +14,7 @@ namespace blysk {
 /// Formats    a_i: A unsigned, y_o: Y signed with Y::frac >= A::frac.
 /// Timing     combinational.   Error  none.
 template <class A, class Y>
-SC_MODULE(inverter_bank) {
+struct inverter_bank : sc_core::sc_module {
   sc_core::sc_in<typename A::raw_t> SC_NAMED(a_i);
   sc_core::sc_out<typename Y::raw_t> SC_NAMED(y_o);
 

@@ -13,7 +13,7 @@ namespace blysk {
 /// Timing     combinational.
 /// Error      0, or 1/2 ulp of P if P::frac < A::frac + B::frac.
 template <class A, class B, class P>
-SC_MODULE(mul) {
+struct mul : sc_core::sc_module {
   sc_core::sc_in<typename A::raw_t> SC_NAMED(a_i);
   sc_core::sc_in<typename B::raw_t> SC_NAMED(b_i);
   sc_core::sc_out<typename P::raw_t> SC_NAMED(p_o);

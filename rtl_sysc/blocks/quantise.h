@@ -19,7 +19,7 @@ enum class overflow {
 /// Formats    a_i: A, y_o: Y with Y::frac <= A::frac.
 /// Timing     combinational.   Error  1/2 ulp of Y; clamping to [0, 1] adds none to a value meant to lie there.
 template <class A, class Y, overflow Overflow>
-SC_MODULE(quantise) {
+struct quantise : sc_core::sc_module {
   sc_core::sc_in<typename A::raw_t> SC_NAMED(a_i);
   sc_core::sc_out<typename Y::raw_t> SC_NAMED(y_o);
 

@@ -11,7 +11,7 @@ namespace blysk {
 /// Formats    d_i, q_o: Q.   Reset  rst_n low at a rising edge of clk: 0.
 /// Timing     q_o changes after the rising edge of clk that saw we_i at one.
 template <class Q>
-SC_MODULE(reg_level) {
+struct reg_level : sc_core::sc_module {
   sc_core::sc_in<bool> SC_NAMED(clk);
   sc_core::sc_in<bool> SC_NAMED(rst_n);
   sc_core::sc_in<typename Q::raw_t> SC_NAMED(d_i);

@@ -12,7 +12,7 @@ namespace blysk {
 /// Timing     q_o changes after the rising edge of clk that saw we_i at zero when the one before saw it at one;
 ///            d_i has to hold until then. Pulses between two rising edges of clk are not seen.
 template <class Q>
-SC_MODULE(reg_trailing) {
+struct reg_trailing : sc_core::sc_module {
   sc_core::sc_in<bool> SC_NAMED(clk);
   sc_core::sc_in<bool> SC_NAMED(rst_n);
   sc_core::sc_in<typename Q::raw_t> SC_NAMED(d_i);

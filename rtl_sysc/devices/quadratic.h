@@ -19,7 +19,7 @@ namespace blysk {
 ///          edge of 29.
 /// Reset    rst_n low at a rising edge of clk: all registers 0, hence all outputs 0.
 template <class F>
-SC_MODULE(quadratic) {
+struct quadratic : sc_core::sc_module {
   template <class Q>
   using in = sc_core::sc_in<typename Q::raw_t>;
   template <class Q>

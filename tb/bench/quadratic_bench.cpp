@@ -40,7 +40,8 @@ std::unique_ptr<systemc_engine> make_quadratic<BLYSK_FORMAT, lobe::clamped>(cons
 }
 
 template <>
-std::unique_ptr<systemc_engine> make_quadratic<BLYSK_FORMAT, lobe::as_published>(const wired_constants& wired) {
+std::unique_ptr<systemc_engine> make_quadratic<BLYSK_FORMAT, lobe::as_published>(
+    const wired_constants& wired) {
   return std::make_unique<quadratic_engine<quadratic_formats<BLYSK_FORMAT, lobe::as_published>>>(wired);
 }
 

@@ -50,7 +50,8 @@ struct quadratic_pins : sc_core::sc_module {
     using sc_core::sc_trace;
     const auto pin = [file](const auto& signal) { sc_trace(file, signal, signal.basename()); };
     pin(clk), pin(rst_n);
-    pin(strobe15), pin(n16), pin(strobe17), pin(cos18), pin(strobe20), pin(red19), pin(strobe22), pin(green21);
+    pin(strobe15), pin(n16), pin(strobe17), pin(cos18), pin(strobe20), pin(red19), pin(strobe22),
+        pin(green21);
     pin(strobe24), pin(blue23), pin(out25_red), pin(out26_green), pin(out27_blue), pin(valid29);
     sc_trace(file, device.n, "rg1.q_o");
     sc_trace(file, device.cos_delta, "rg2.q_o");

@@ -2,7 +2,6 @@
 /// A device in SystemC under its strobes, as an engine.
 #pragma once
 
-#include <cstdint>
 #include <memory>
 #include <string>
 
@@ -19,7 +18,7 @@ inline constexpr double kClockPeriodNs = 10;
 /// other registers' strobes go up as it goes down if their value changes. The monitor reads the outputs at the next
 /// leading edge of 29.
 /// SystemC elaborates once: a process makes one engine and makes it before it runs any.
-class systemc_engine : public engine {
+class systemc_engine : public clocked_engine {
  public:
   /// Records the waves from now on in a VCD file, timescale 1 ps. Before the first run.
   /// \param path  without the ending .vcd, which SystemC appends
@@ -27,12 +26,6 @@ class systemc_engine : public engine {
 
   /// Ends the record and closes its file.
   virtual void stop_trace() = 0;
-
-  /// Clock cycles simulated so far, the two of the reset included.
-  virtual std::uint64_t cycles() const = 0;
-
-  /// Writes to register 2 so far, the confirming ones at the end of each run() included.
-  virtual std::uint64_t writes() const = 0;
 };
 
 /// \throws std::invalid_argument for options that no device has

@@ -9,16 +9,17 @@
 namespace blysk::bit {
 
 // A template cannot have clones, so every format gets a plain function of its own.
-#define BLYSK_KERNEL(Q, Lobe)                                                                                \
-  using Q##_##Lobe##_formats = quadratic_formats<Q, lobe::Lobe>;                                             \
-  using Q##_##Lobe##_columns = columns<machine_int<Q##_##Lobe##_formats::out>>;                              \
-  void Q##_##Lobe(const wired_constants& wired, const Q##_##Lobe##_columns& io);                             \
-  BLYSK_VECTOR_CLONES void Q##_##Lobe(const wired_constants& wired, const Q##_##Lobe##_columns& io) {        \
-    quadratic<Q##_##Lobe##_formats>(wired, io);                                                              \
-  }                                                                                                          \
-  template <>                                                                                                \
-  void quadratic_vector<Q##_##Lobe##_formats>(const wired_constants& wired, const Q##_##Lobe##_columns& io) { \
-    Q##_##Lobe(wired, io);                                                                                   \
+#define BLYSK_KERNEL(Q, Lobe)                                                                         \
+  using Q##_##Lobe##_formats = quadratic_formats<Q, lobe::Lobe>;                                      \
+  using Q##_##Lobe##_columns = columns<machine_int<Q##_##Lobe##_formats::out>>;                       \
+  void Q##_##Lobe(const wired_constants& wired, const Q##_##Lobe##_columns& io);                      \
+  BLYSK_VECTOR_CLONES void Q##_##Lobe(const wired_constants& wired, const Q##_##Lobe##_columns& io) { \
+    quadratic<Q##_##Lobe##_formats>(wired, io);                                                       \
+  }                                                                                                   \
+  template <>                                                                                         \
+  void quadratic_vector<Q##_##Lobe##_formats>(const wired_constants& wired,                           \
+                                              const Q##_##Lobe##_columns& io) {                       \
+    Q##_##Lobe(wired, io);                                                                            \
   }
 #define BLYSK_KERNELS(Q)   \
   BLYSK_KERNEL(Q, clamped) \
@@ -49,8 +50,8 @@ class quadratic_engine final : public engine {
     for (std::size_t first = 0; first < in.size(); first += kBlock) {
       const std::size_t size = std::min(kBlock, in.size() - first);
       quadratic_vector<F>(wired_, {in.n.data() + first, in.cos_delta.data() + first, in.red_ks.data() + first,
-                                   in.green_ks.data() + first, in.blue_ks.data() + first, brdf_.data(), red_.data(),
-                                   green_.data(), blue_.data(), size});
+                                   in.green_ks.data() + first, in.blue_ks.data() + first, brdf_.data(),
+                                   red_.data(), green_.data(), blue_.data(), size});
       std::copy_n(brdf_.begin(), size, out.brdf.data() + first);
       std::copy_n(red_.begin(), size, out.red.data() + first);
       std::copy_n(green_.begin(), size, out.green.data() + first);

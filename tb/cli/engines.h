@@ -5,6 +5,6 @@
 
 namespace blysk::cli {
 
-inline constexpr std::string_view engine_names[] = {"golden", "bit", "systemc"};
+inline constexpr std::string_view engine_names[] = {"golden", "bit", "systemc", "verilator"};
 
 }  // namespace blysk::cli

@@ -41,16 +41,20 @@ usage_error file_error(const std::string& path, std::size_t line, std::string_vi
   return usage_error(fmt::format("{}:{}: {}", path == "-" ? "standard input" : path, line, what));
 }
 
-std::string system_reason() { return errno != 0 ? std::strerror(errno) : "unknown reason"; }
+std::string system_reason() {
+  return errno != 0 ? std::strerror(errno) : "unknown reason";
+}
 
-csv_reader::csv_reader(std::string path, std::string_view header) : path_(std::move(path)), buffer_(kBufferBytes) {
+csv_reader::csv_reader(std::string path, std::string_view header)
+    : path_(std::move(path)), buffer_(kBufferBytes) {
   for_each_field(header, [&](std::string_view name) { names_.emplace_back(name); });
   if (std::error_code ignored; std::filesystem::is_directory(path_, ignored)) {
     throw file_error(path_, 0, "is a directory, expected a CSV file");
   }
   errno = 0;
   file_.reset(path_ == "-" ? fdopen(dup(STDIN_FILENO), "rb") : std::fopen(path_.c_str(), "rb"));
-  if (!file_) throw file_error(path_, 0, fmt::format("cannot be read ({}), expected a CSV file", system_reason()));
+  if (!file_)
+    throw file_error(path_, 0, fmt::format("cannot be read ({}), expected a CSV file", system_reason()));
   if (!read_line()) throw file_error(path_, 1, fmt::format("is empty, expected the header {}", header));
   split();
   if (!std::equal(fields_.begin(), fields_.end(), names_.begin(), names_.end())) {
@@ -117,7 +121,9 @@ usage_error csv_reader::error(std::size_t column, std::string_view expected) con
   return error(fmt::format("{} is '{}', expected {}", names_[column], shown(fields_[column]), expected));
 }
 
-usage_error csv_reader::error(std::string_view what) const { return file_error(path_, line_number_, what); }
+usage_error csv_reader::error(std::string_view what) const {
+  return file_error(path_, line_number_, what);
+}
 
 output_file::output_file(std::string path, std::string_view ending) : path_(std::move(path)) {
   std::error_code ignored;

@@ -20,8 +20,10 @@ nlohmann::ordered_json listing() {
   json["engines"] = engine_names;
   json["models"] = nlohmann::ordered_json::array();
   for (const golden::model& model : golden::models()) {
-    json["models"].push_back(
-        {{"name", model.name}, {"header", model.header}, {"formula", model.formula}, {"source", model.source}});
+    json["models"].push_back({{"name", model.name},
+                              {"header", model.header},
+                              {"formula", model.formula},
+                              {"source", model.source}});
   }
   return json;
 }
@@ -34,8 +36,9 @@ void print(const nlohmann::ordered_json& json) {
   }
   fmt::print("models\n");
   for (const auto& model : json["models"]) {
-    fmt::print("  {:<25} {:<8} {}   {}\n", model["name"].get<std::string>(), model["header"].get<std::string>(),
-               model["formula"].get<std::string>(), model["source"].get<std::string>());
+    fmt::print("  {:<25} {:<8} {}   {}\n", model["name"].get<std::string>(),
+               model["header"].get<std::string>(), model["formula"].get<std::string>(),
+               model["source"].get<std::string>());
   }
 }
 

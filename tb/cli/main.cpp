@@ -11,13 +11,15 @@
 namespace {
 
 int run(int argc, char** argv) {
-  CLI::App program{"blysk: the specular-colour device of patent UA 60553, its models and its simulation", "blysk"};
+  CLI::App program{"blysk: the specular-colour device of patent UA 60553, its models and its simulation",
+                   "blysk"};
   sc_core::sc_report_handler::set_actions(sc_core::SC_INFO, sc_core::SC_DO_NOTHING);
   program.require_subcommand(1);
   program.set_version_flag("--version", "blysk " BLYSK_VERSION);
   program.footer("Exit status: 0 done, 1 a check failed or results differ, 2 bad use or bad input.");
   blysk::cli::add_simulate(program);
   blysk::cli::add_model(program);
+  blysk::cli::add_export(program);
   blysk::cli::add_list(program);
   try {
     program.parse(argc, argv);
@@ -32,7 +34,9 @@ int run(int argc, char** argv) {
 
 }  // namespace
 
-int sc_main(int, char**) { return 0; }  // SystemC's library asks for one; the program elaborates from main
+int sc_main(int, char**) {
+  return 0;
+}  // SystemC's library asks for one; the program elaborates from main
 
 int main(int argc, char** argv) {
   try {

@@ -36,7 +36,8 @@ void run(const options& asked) {
   std::vector<double> inputs;
   while (rows.next()) {
     inputs.clear();
-    for (std::size_t column = 0; column < rows.fields().size(); ++column) inputs.push_back(parse_real(rows, column));
+    for (std::size_t column = 0; column < rows.fields().size(); ++column)
+      inputs.push_back(parse_real(rows, column));
     try {
       fmt::format_to(std::back_inserter(text), "{},{:.17g}\n", rows.text(), model->value(inputs));
     } catch (const std::domain_error& error) {
@@ -58,8 +59,10 @@ void add_model(CLI::App& program) {
   auto* verb = program.add_subcommand("model", "Evaluate a golden reflectance model on points of a CSV file");
   auto asked = std::make_shared<options>();
   verb->add_option("NAME", asked->name, "one of the models of blysk list")->required();
-  verb->add_option("--points", asked->points, "CSV with the model's header, - for standard input")->required();
-  verb->add_option("--results", asked->results, "CSV to write: the points and their value, 17 digits; - for standard output")
+  verb->add_option("--points", asked->points, "CSV with the model's header, - for standard input")
+      ->required();
+  verb->add_option("--results", asked->results,
+                   "CSV to write: the points and their value, 17 digits; - for standard output")
       ->required();
   verb->callback([asked] { run(*asked); });
 }

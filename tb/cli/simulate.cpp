@@ -11,9 +11,11 @@
 
 #include "tb/bench/systemc_engine.h"
 #include "tb/bit/quadratic.h"
+#include "tb/cli/device_arguments.h"
 #include "tb/cli/engines.h"
 #include "tb/cli/files.h"
 #include "tb/cli/verbs.h"
+#include "tb/cosim/verilator_engine.h"
 #include "tb/golden/lobes.h"
 
 namespace blysk::cli {
@@ -82,6 +84,11 @@ class simulation {
     } else if (asked.engine == "systemc") {
       auto made = bench::make_systemc(asked.device);
       systemc_ = made.get();
+      clocked_ = systemc_;
+      engine_ = std::move(made);
+    } else if (asked.engine == "verilator") {
+      auto made = cosim::make_verilator(asked.device);
+      clocked_ = made.get();
       engine_ = std::move(made);
     } else if (!asked.device.constant.empty()) {
       throw usage_error("--constant is wired in hardware, expected engine bit or systemc");
@@ -90,17 +97,20 @@ class simulation {
 
   double scale() const { return scale_; }
   bench::systemc_engine* systemc() const { return systemc_; }
+  const clocked_engine* clocked() const { return clocked_; }
 
   void run(const batch& block, fmt::memory_buffer& text) {
     if (engine_ != nullptr) {
       engine_->run(block, raw_);
       for (std::size_t i = 0; i < block.size(); ++i) {
-        append(block, i, real(raw_.brdf[i]), real(raw_.red[i]), real(raw_.green[i]), real(raw_.blue[i]), text);
+        append(block, i, real(raw_.brdf[i]), real(raw_.red[i]), real(raw_.green[i]), real(raw_.blue[i]),
+               text);
       }
     } else {
       for (std::size_t i = 0; i < block.size(); ++i) {
         const double brdf = golden_brdf(block.n[i], block.cos_delta[i] / scale_);
-        append(block, i, brdf, brdf * block.red_ks[i], brdf * block.green_ks[i], brdf * block.blue_ks[i], text);
+        append(block, i, brdf, brdf * block.red_ks[i], brdf * block.green_ks[i], brdf * block.blue_ks[i],
+               text);
       }
     }
   }
@@ -116,14 +126,15 @@ class simulation {
   void append(const batch& block, std::size_t i, double brdf, double red, double green, double blue,
               fmt::memory_buffer& text) const {
     fmt::format_to(std::back_inserter(text), FMT_COMPILE("{},{},{},{},{},{},{},{},{}\n"), block.n[i],
-                   block.cos_delta[i] / scale_, block.red_ks[i], block.green_ks[i], block.blue_ks[i], brdf, red, green,
-                   blue);
+                   block.cos_delta[i] / scale_, block.red_ks[i], block.green_ks[i], block.blue_ks[i], brdf,
+                   red, green, blue);
   }
 
   const options& asked_;
   double scale_;
   std::unique_ptr<engine> engine_;            // null: golden
   bench::systemc_engine* systemc_ = nullptr;  // engine_ if it is SystemC
+  const clocked_engine* clocked_ = nullptr;   // engine_ if it has a clock
   results raw_;
 };
 
@@ -133,7 +144,8 @@ void check(const options& asked) {
     throw usage_error("--coefficient exact has no wires, expected published or derived, or engine golden");
   }
   if (!asked.vcd.empty() && asked.engine != "systemc") {
-    throw usage_error(fmt::format("--vcd records signals and engine {} has none, expected engine systemc", asked.engine));
+    throw usage_error(
+        fmt::format("--vcd records signals and engine {} has none, expected engine systemc", asked.engine));
   }
 }
 
@@ -144,13 +156,13 @@ void report(const options& asked, std::uint64_t rows, const simulation& simulate
                               {"coefficient", asked.device.coefficient},
                               {"as_published", asked.device.as_published},
                               {"rows", rows}};
-  std::string text = fmt::format("{} rows through {} {}, engine {}", rows, asked.device.device, asked.device.format,
-                                 asked.engine);
-  if (simulated.systemc() != nullptr) {
-    const auto cycles = simulated.systemc()->cycles();
+  std::string text = fmt::format("{} rows through {} {}, engine {}", rows, asked.device.device,
+                                 asked.device.format, asked.engine);
+  if (simulated.clocked() != nullptr) {
+    const auto cycles = simulated.clocked()->cycles();
     const double simulated_ns = static_cast<double>(cycles) * bench::kClockPeriodNs;
     json["cycles"] = cycles;
-    json["writes"] = simulated.systemc()->writes();
+    json["writes"] = simulated.clocked()->writes();
     json["simulated_ns"] = simulated_ns;
     text += fmt::format(": {} clock cycles, {} ns simulated", cycles, simulated_ns);
   }
@@ -196,28 +208,21 @@ void run(const options& asked) {
 void add_simulate(CLI::App& program) {
   auto* verb = program.add_subcommand("simulate", "Run a device on the writes of a CSV file");
   auto asked = std::make_shared<options>();
-  verb->add_option("--device", asked->device.device, "device")
-      ->check(CLI::IsMember(std::vector<std::string>(std::begin(device_names), std::end(device_names))))
-      ->capture_default_str();
-  verb->add_option("--format", asked->device.format, "fraction bits of cos(delta)")
-      ->check(CLI::IsMember(std::vector<std::string>(std::begin(format_names), std::end(format_names))))
-      ->capture_default_str();
-  verb->add_option("--engine", asked->engine, "golden: the formula in double; bit: integers; systemc: the blocks")
+  add_device_arguments(*verb, asked->device, {"published", "derived", "exact"});
+  verb->add_option("--engine", asked->engine,
+                   "golden: the formula in double; bit: integers; systemc: the blocks; "
+                   "verilator: their exported Verilog")
       ->check(CLI::IsMember(std::vector<std::string>(std::begin(engine_names), std::end(engine_names))))
       ->capture_default_str();
-  verb->add_option("--stimulus", asked->stimulus,
-                   "CSV with the header n,cos,r,g,b: n 1..1000, cos in [0, 1], colours 0..255; - for standard input")
+  verb->add_option(
+          "--stimulus", asked->stimulus,
+          "CSV with the header n,cos,r,g,b: n 1..1000, cos in [0, 1], colours 0..255; - for standard input")
       ->required();
-  verb->add_option("--results", asked->results,
-                   "CSV to write: the stimulus (cos as quantised) and brdf,red,green,blue; - for standard output")
+  verb->add_option(
+          "--results", asked->results,
+          "CSV to write: the stimulus (cos as quantised) and brdf,red,green,blue; - for standard output")
       ->required();
   verb->add_option("--vcd", asked->vcd, "record the waves (engine systemc)");
-  verb->add_option("--coefficient", asked->device.coefficient,
-                   "a = 0.786 n + 0.5 (published), 0.78694 n - 0.5 (derived), formula (9) (exact, engine golden)")
-      ->check(CLI::IsMember({"published", "derived", "exact"}))
-      ->capture_default_str();
-  verb->add_option("--constant", asked->device.constant, "bits wired at node 31 after the point, such as 11001001");
-  verb->add_flag("--as-published", asked->device.as_published, "keep the negative lobe instead of clamping to [0, 1]");
   verb->add_flag("--json", asked->json, "print the summary as JSON");
   verb->callback([asked] { run(*asked); });
 }

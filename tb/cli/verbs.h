@@ -8,6 +8,7 @@ namespace blysk::cli {
 
 void add_simulate(CLI::App& program);
 void add_model(CLI::App& program);
+void add_export(CLI::App& program);
 void add_list(CLI::App& program);
 
 }  // namespace blysk::cli

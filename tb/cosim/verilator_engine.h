@@ -43,16 +43,10 @@ struct outputs {
 /// A verilated quadratic device. Its run() keeps the protocol of bench::systemc_engine: strobes change with the
 /// falling edges of clk, every write takes two cycles, the results of one are read at the leading edge of 29 that
 /// begins the next.
-class verilator_engine : public engine {
+class verilator_engine : public clocked_engine {
  public:
   /// Applies the pins, lets the device settle and reads its outputs.
   virtual outputs apply(const pins& values) = 0;
-
-  /// Clock cycles simulated so far by run(), the two of each run's reset included.
-  virtual std::uint64_t cycles() const = 0;
-
-  /// Writes to register 2 so far by run(), the confirming ones at the end of each included.
-  virtual std::uint64_t writes() const = 0;
 };
 
 /// The device checked in under rtl_verilog/ for the format.

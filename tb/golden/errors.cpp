@@ -23,6 +23,8 @@ std::vector<double> sample_cosines(double n, double low, double high) {
   }
   std::erase_if(result, [&](double c) { return c < low || c > high; });
   std::ranges::sort(result);
+  result.erase(std::unique(result.begin(), result.end()),
+               result.end());  // or a sample could neighbour itself
   return result;
 }
 
@@ -30,20 +32,23 @@ std::vector<double> sample_cosines(double n, double low, double high) {
 
 peak largest(const std::function<double(double)>& f, double n, double low, double high) {
   const std::vector<double> cosines = sample_cosines(n, low, high);
-  std::size_t best = 0;
+  std::vector<double> values;
+  for (const double c : cosines) values.push_back(f(c));
   peak result{-std::numeric_limits<double>::infinity(), low};
+  const auto take = [&](const peak& candidate) {
+    if (candidate.value > result.value) result = candidate;
+  };
   for (std::size_t i = 0; i < cosines.size(); ++i) {
-    const double value = f(cosines[i]);
-    if (value > result.value) {
-      result = {value, cosines[i]};
-      best = i;
-    }
+    const std::size_t left = i > 0 ? i - 1 : i;
+    const std::size_t right = std::min(i + 1, cosines.size() - 1);
+    if (!(values[i] >= values[left] && values[i] >= values[right])) continue;
+    take({values[i], cosines[i]});
+    const auto [cosine, negated] =
+        boost::math::tools::brent_find_minima([&](double c) { return -f(c); }, cosines[left], cosines[right],
+                                              std::numeric_limits<double>::digits / 2);
+    take({-negated, cosine});
   }
-  const double left = cosines[best > 0 ? best - 1 : best];
-  const double right = cosines[std::min(best + 1, cosines.size() - 1)];
-  const auto [cosine, negated] = boost::math::tools::brent_find_minima(
-      [&](double c) { return -f(c); }, left, right, std::numeric_limits<double>::digits / 2);
-  return -negated > result.value ? peak{-negated, cosine} : result;
+  return result;
 }
 
 std::string_view name_of(epicentre which) {

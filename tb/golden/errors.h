@@ -18,7 +18,8 @@ struct peak {
 
 /// Largest value of f over [low, high].
 /// Looks at 200 cosines in even steps and 200 in even steps of n (1 - c) up to 40, where c^n has vanished,
-/// then refines around the best of them by Brent's method: exact where f has one maximum between neighbours.
+/// then refines every local maximum among them by Brent's method: exact where f has one maximum between
+/// neighbours.
 peak largest(const std::function<double(double)>& f, double n, double low, double high);
 
 /// Where a highlight's epicentre ends: three thresholds are in use.

@@ -14,7 +14,8 @@ struct picture {
       : width(wide), height(high), rgb(3 * static_cast<std::size_t>(wide) * static_cast<std::size_t>(high)) {}
 
   std::uint8_t* pixel(int x, int y) {
-    return rgb.data() + 3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x));
+    return rgb.data() +
+           3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x));
   }
   const std::uint8_t* pixel(int x, int y) const { return const_cast<picture*>(this)->pixel(x, y); }
 

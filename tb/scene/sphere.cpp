@@ -79,11 +79,13 @@ picture shade(int side, const std::vector<sample>& samples, Highlight&& highligh
   return image;
 }
 
-rgb scaled(double brdf) { return {brdf * kSpecular[0], brdf * kSpecular[1], brdf * kSpecular[2]}; }
+rgb scaled(double brdf) {
+  return {brdf * kSpecular[0], brdf * kSpecular[1], brdf * kSpecular[2]};
+}
 
 /// Writes every sample with exponent n into the device and reads the colours back at the valid edge.
-results compute_highlights(bench::systemc_engine& device, const std::vector<sample>& samples, int n, double scale,
-                           bool traced) {
+results compute_highlights(bench::systemc_engine& device, const std::vector<sample>& samples, int n,
+                           double scale, bool traced) {
   batch writes;
   writes.resize(samples.size());
   std::fill(writes.n.begin(), writes.n.end(), static_cast<std::uint16_t>(n));
@@ -97,7 +99,8 @@ results compute_highlights(bench::systemc_engine& device, const std::vector<samp
   results all, part;
   progress shown(fmt::format("simulating n = {}", n), writes.size());
   for (std::size_t first = 0; first < writes.size();) {
-    const std::size_t size = std::min<std::size_t>(traced && first == 0 ? kTracedWrites : 16384, writes.size() - first);
+    const std::size_t size =
+        std::min<std::size_t>(traced && first == 0 ? kTracedWrites : 16384, writes.size() - first);
     const auto slice = [first, size](const auto& column) {
       const auto begin = column.begin() + static_cast<std::ptrdiff_t>(first);
       return std::decay_t<decltype(column)>(begin, begin + static_cast<std::ptrdiff_t>(size));
@@ -128,15 +131,19 @@ void write_report(const options& asked, const std::vector<outcome>& outcomes, st
   std::ofstream report(asked.output / "report.md");
   report << fmt::format(
       "# A sphere through the device of UA 60553\n\n"
-      "`{} {}` in SystemC, coefficient {}{}: a sphere of {} pixels in a picture of {} x {}, once per exponent; every\n"
+      "`{} {}` in SystemC, coefficient {}{}: a sphere of {} pixels in a picture of {} x {}, once per "
+      "exponent; every\n"
       "pixel's cos(delta) is a write of register 2, its colour is read at the next leading edge of 29.\n\n"
       "| what | value |\n|---|---|\n"
       "| writes of register 2 | {} |\n| clock cycles | {} |\n| simulated time | {:.3f} ms at {:.0f} MHz |\n"
       "| host time | {:.2f} s |\n| writes per second of host time | {:.0f} |\n\n"
-      "NMSE as in [T] (3.1) over the 8-bit pictures, Blinn's the reference; [T] calls up to 1e-4 not visible, up to\n"
-      "2.5e-4 slight, up to 1e-3 visible, above it strong. The third column compares the device with its own formula in\n"
+      "NMSE as in [T] (3.1) over the 8-bit pictures, Blinn's the reference; [T] calls up to 1e-4 not "
+      "visible, up to\n"
+      "2.5e-4 slight, up to 1e-3 visible, above it strong. The third column compares the device with its own "
+      "formula in\n"
       "double and so shows what the word length alone costs.\n\n"
-      "| n | NMSE to Blinn | NMSE to own formula | largest difference to Blinn, of 255 |\n|---|---|---|---|\n",
+      "| n | NMSE to Blinn | NMSE to own formula | largest difference to Blinn, of 255 "
+      "|\n|---|---|---|---|\n",
       asked.device.device, asked.device.format, asked.device.coefficient,
       asked.device.as_published ? ", as published" : "", pixels, asked.side, asked.side, device.writes(),
       device.cycles(), simulated_ms, 1e3 / bench::kClockPeriodNs, host_s,
@@ -201,13 +208,18 @@ void run(const options& asked) {
 
 }  // namespace
 
-int sc_main(int, char**) { return 0; }
+int sc_main(int, char**) {
+  return 0;
+}
 
 int main(int argc, char** argv) {
   sc_core::sc_report_handler::set_actions(sc_core::SC_INFO, sc_core::SC_DO_NOTHING);
   options asked;
-  CLI::App program{"A lit sphere whose highlight the SystemC device computes: pictures, waves, report", "sphere"};
-  program.add_option("--output", asked.output, "folder for sphere.png, report.md, quadratic.vcd")->capture_default_str();
+  CLI::App program{"A lit sphere whose highlight the SystemC device computes: pictures, waves, report",
+                   "sphere"};
+  program.add_option("--output", asked.output, "folder for sphere.png, report.md, quadratic.vcd")
+      ->take_last()
+      ->capture_default_str();
   program.add_option("--format", asked.device.format, "fraction bits of cos(delta)")
       ->check(CLI::IsMember(std::vector<std::string>(std::begin(format_names), std::end(format_names))))
       ->capture_default_str();

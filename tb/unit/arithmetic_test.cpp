@@ -16,7 +16,9 @@ namespace {
 using namespace blysk;
 
 /// SystemC elaborates once, so every bench is a static object; this lets the delta cycles that writes cause run.
-void settle() { sc_core::sc_start(1, sc_core::SC_NS); }
+void settle() {
+  sc_core::sc_start(1, sc_core::SC_NS);
+}
 
 template <class Q>
 double real(std::int64_t raw) {
@@ -56,18 +58,28 @@ struct mul_bench {
   }
 };
 
-mul_bench<uq<3, 2>, sq<0, 4>, sq<3, 6>> mixed_mul("mixed_mul");         // signs mixed, exact, as mul10
-mul_bench<uq<4, 0>, uq<0, 5>, uq<4, 5>> integer_mul("integer_mul");     // as mul6
-mul_bench<unit<5>, unit<5>, uq<1, 7>> rounding_mul("rounding_mul");     // rounds, as mul7 from q14 on
-mul_bench<sq<3, 2>, uq<4, 0>, sq<7, 2>> signed_mul("signed_mul");       // as mul12 as published
+mul_bench<uq<3, 2>, sq<0, 4>, sq<3, 6>> mixed_mul("mixed_mul");      // signs mixed, exact, as mul10
+mul_bench<uq<4, 0>, uq<0, 5>, uq<4, 5>> integer_mul("integer_mul");  // as mul6
+mul_bench<unit<5>, unit<5>, uq<1, 7>> rounding_mul("rounding_mul");  // rounds, as mul7 from q14 on
+mul_bench<sq<3, 2>, uq<4, 0>, sq<7, 2>> signed_mul("signed_mul");    // as mul12 as published
 mul_bench<sq<1, 3>, sq<1, 3>, sq<3, 4>> rounding_signed_mul("rounding_signed_mul");
 
 TEST_CASE("mul is exact, or rounds to nearest, for all operands", "[unit][mul]") {
-  SECTION("unsigned by signed") { mixed_mul.check_all(); }
-  SECTION("integer by fraction") { integer_mul.check_all(); }
-  SECTION("rounded unsigned") { rounding_mul.check_all(); }
-  SECTION("signed by unsigned") { signed_mul.check_all(); }
-  SECTION("rounded signed") { rounding_signed_mul.check_all(); }
+  SECTION("unsigned by signed") {
+    mixed_mul.check_all();
+  }
+  SECTION("integer by fraction") {
+    integer_mul.check_all();
+  }
+  SECTION("rounded unsigned") {
+    rounding_mul.check_all();
+  }
+  SECTION("signed by unsigned") {
+    signed_mul.check_all();
+  }
+  SECTION("rounded signed") {
+    rounding_signed_mul.check_all();
+  }
 }
 
 TEST_CASE("mul10 is exact at the ends of q24's formats", "[unit][mul]") {
@@ -114,9 +126,15 @@ add_bench<sq<3, 5>, unit<3>, sq<4, 5>> shifted_add("shifted_add");   // as add11
 add_bench<uq<3, 4>, sq<0, 1>, sq<4, 4>> offset_add("offset_add");    // as add15
 
 TEST_CASE("add is exact for all operands and both carries", "[unit][add]") {
-  SECTION("same fraction bits") { aligned_add.check_all(); }
-  SECTION("second operand aligned") { shifted_add.check_all(); }
-  SECTION("half a unit") { offset_add.check_all(); }
+  SECTION("same fraction bits") {
+    aligned_add.check_all();
+  }
+  SECTION("second operand aligned") {
+    shifted_add.check_all();
+  }
+  SECTION("half a unit") {
+    offset_add.check_all();
+  }
 }
 
 template <class A, class Y>

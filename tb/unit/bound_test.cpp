@@ -21,7 +21,8 @@ using namespace blysk;
 template <class F, lobe Lobe>
 double bound(double a_wired, double a, double c) {
   double coefficient = std::fabs(a_wired - a) * (c - c * c);
-  if (Lobe == lobe::clamped) coefficient = std::fmin(coefficient, 1 - std::fmin(a_wired, a) / std::fmax(a_wired, a));
+  if (Lobe == lobe::clamped)
+    coefficient = std::fmin(coefficient, 1 - std::fmin(a_wired, a) / std::fmax(a_wired, a));
   const bool square_is_exact = F::diff_bits == 2 * F::cos_bits;
   const double square = square_is_exact ? 0 : std::ldexp(a_wired, -F::diff_bits - 1);
   return coefficient + square + std::ldexp(1.0, -F::cos_bits - 1) +
@@ -44,8 +45,8 @@ void check_all_inputs(golden::coefficient_line line, const wired_constants& wire
   const double slope = std::ldexp(static_cast<double>(wired.slope), -F::slope_bits);
   for (int exponent = 1; exponent <= 1000; ++exponent) {
     std::fill(n.begin(), n.end(), static_cast<std::uint16_t>(exponent));
-    bit::quadratic_vector<F>(wired, {n.data(), cos_delta.data(), white.data(), white.data(), white.data(), brdf.data(),
-                                     red.data(), green.data(), blue.data(), size});
+    bit::quadratic_vector<F>(wired, {n.data(), cos_delta.data(), white.data(), white.data(), white.data(),
+                                     brdf.data(), red.data(), green.data(), blue.data(), size});
     const double a = golden::coefficient<double>(line, exponent);
     const double a_wired = slope * exponent + static_cast<double>(wired.offset) / 2;
     for (std::size_t code = 0; code < size; ++code) {
@@ -70,7 +71,8 @@ template <class Q>
 void check_format() {
   constexpr int bits = quadratic_formats<Q, lobe::clamped>::slope_bits;
   using golden::coefficient_line;
-  check_all_inputs<quadratic_formats<Q, lobe::clamped>, lobe::clamped>(coefficient_line::derived, derived_line(bits));
+  check_all_inputs<quadratic_formats<Q, lobe::clamped>, lobe::clamped>(coefficient_line::derived,
+                                                                       derived_line(bits));
   check_all_inputs<quadratic_formats<Q, lobe::clamped>, lobe::clamped>(coefficient_line::published,
                                                                        published_line(bits));
   check_all_inputs<quadratic_formats<Q, lobe::as_published>, lobe::as_published>(coefficient_line::derived,
@@ -79,10 +81,20 @@ void check_format() {
                                                                                  published_line(bits));
 }
 
-TEST_CASE("q8 within its bound for all inputs", "[unit][bound]") { check_format<q8>(); }
-TEST_CASE("q10 within its bound for all inputs", "[unit][bound][full]") { check_format<q10>(); }
-TEST_CASE("q12 within its bound for all inputs", "[unit][bound][full]") { check_format<q12>(); }
-TEST_CASE("q14 within its bound for all inputs", "[unit][bound][full]") { check_format<q14>(); }
-TEST_CASE("q16 within its bound for all inputs", "[unit][bound][full]") { check_format<q16>(); }
+TEST_CASE("q8 within its bound for all inputs", "[unit][bound]") {
+  check_format<q8>();
+}
+TEST_CASE("q10 within its bound for all inputs", "[unit][bound][full]") {
+  check_format<q10>();
+}
+TEST_CASE("q12 within its bound for all inputs", "[unit][bound][full]") {
+  check_format<q12>();
+}
+TEST_CASE("q14 within its bound for all inputs", "[unit][bound][full]") {
+  check_format<q14>();
+}
+TEST_CASE("q16 within its bound for all inputs", "[unit][bound][full]") {
+  check_format<q16>();
+}
 
 }  // namespace

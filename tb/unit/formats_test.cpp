@@ -49,7 +49,8 @@ TEST_CASE("no net of any format overflows", "[unit][formats]") {
       options.format = name;
       options.as_published = as_published;
       // The assertions are static: that this compiles is the test.
-      CHECK(visit_formats(options, []<class Q, lobe Lobe>() { return quadratic_formats<Q, Lobe>::no_overflow(); }));
+      CHECK(visit_formats(options,
+                          []<class Q, lobe Lobe>() { return quadratic_formats<Q, Lobe>::no_overflow(); }));
     }
   }
 }

@@ -8,6 +8,7 @@
 namespace blysk::golden {
 
 std::string number(double value, int digits) {
+  if (std::abs(value) < kRounding) return "0";  // the rest is rounding, and compilers may differ in it
   std::ostringstream out;
   out.precision(digits);
   out << value;

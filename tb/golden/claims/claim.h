@@ -8,15 +8,15 @@
 
 namespace blysk::golden {
 
+/// What a chain of some sixty roundings of numbers around 1 may leave: equality, to double precision.
+inline constexpr double kRounding = 64 * 0x1p-53;
+
 inline constexpr std::string_view kHolds = "holds";
 inline constexpr std::string_view kPartly = "holds in part";
 inline constexpr std::string_view kFails = "does not hold";
 inline constexpr std::string_view kAmbiguous = "ambiguous";
 inline constexpr std::string_view kUncheckable = "cannot be checked";
 inline constexpr std::string_view kPending = "not measured yet";
-
-/// What a chain of some sixty roundings of numbers around 1 may leave: equality, to double precision.
-inline constexpr double kRounding = 64 * 0x1p-53;
 
 struct claim {
   std::string id;        ///< "P3", "A-T1", "T12", "E4"
@@ -26,7 +26,7 @@ struct claim {
   std::string verdict;   ///< one of the above, perhaps with a condition after a colon
 };
 
-/// \param digits  significant digits
+/// \param digits  significant digits; below kRounding it is "0"
 std::string number(double value, int digits = 3);
 std::string percent(double value, int digits = 3);
 

@@ -14,15 +14,16 @@ namespace {
 using namespace blysk::golden;
 
 struct section {
+  char prefix;  ///< first letter of its rows' identifiers
   std::string_view title;
   std::vector<claim> (*rows)();
 };
 
 constexpr section kSections[] = {
-    {"[P] patent UA 60553", patent_claims},
-    {"[A] article on the angle-based lobe", article_claims},
-    {"[T] thesis", thesis_claims},
-    {"Errata: where a seed contradicts itself or mathematics", errata},
+    {'P', "[P] patent UA 60553", patent_claims},
+    {'A', "[A] article on the angle-based lobe", article_claims},
+    {'T', "[T] thesis", thesis_claims},
+    {'E', "Errata: where a seed contradicts itself or mathematics", errata},
 };
 
 constexpr std::vector<table> (*kTables[])() = {article_tables, error_tables, energy_tables, stability_tables,
@@ -47,7 +48,7 @@ constexpr std::string_view kIntroduction =
     "`bench_golden`, not here.\n";
 
 std::string row_text(const claim& c) {
-  return c.id + " (" + c.place + ")\n  says:     " + c.says + "\n  measured: " + c.measured +
+  return c.id + ", " + c.place + "\n  says:     " + c.says + "\n  measured: " + c.measured +
          "\n  verdict:  " + c.verdict + "\n";
 }
 
@@ -120,17 +121,17 @@ int check_pages(const std::filesystem::path& docs) {
   return result;
 }
 
-int print_rows(std::string_view prefix) {
-  bool found = false;
+int print_row(std::string_view id) {
   for (const auto& s : kSections) {
+    if (!id.starts_with(s.prefix)) continue;
     for (const auto& c : s.rows()) {
-      if (c.id != prefix) continue;
+      if (c.id != id) continue;
       std::cout << row_text(c);
-      found = true;
+      return 0;
     }
   }
-  if (!found) std::cerr << "golden_claims: no row " << prefix << "; docs/verification.md lists them\n";
-  return found ? 0 : 2;
+  std::cerr << "golden_claims: no row " << id << "; docs/verification.md lists them\n";
+  return 2;
 }
 
 constexpr std::string_view kUsage =
@@ -150,7 +151,7 @@ int main(int argc, char** argv) {
   if (arguments.size() == 2) {
     if (arguments[0] == "--output") return write_pages(arguments[1]);
     if (arguments[0] == "--check") return check_pages(arguments[1]);
-    if (arguments[0] == "--row") return print_rows(arguments[1]);
+    if (arguments[0] == "--row") return print_row(arguments[1]);
   }
   std::cerr << kUsage;
   return 2;

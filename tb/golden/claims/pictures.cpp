@@ -4,17 +4,21 @@
 #include <limits>
 #include <map>
 #include <tuple>
+#include <utility>
+#include <vector>
 
 #include "tb/golden/claims/claim.h"
 
 namespace blysk::golden {
 double sphere_nmse(lobe which, const picture_scene& scene, int n) {
+  static const sphere_scene sphere;
+  static std::map<std::pair<std::string_view, int>, std::vector<double>> references;
   static std::map<std::tuple<lobe, std::string_view, int>, double> known;
   const auto [entry, is_new] = known.try_emplace({which, scene.name, n}, 0);
   if (is_new) {
-    const sphere_scene sphere;
-    entry->second =
-        nmse(shade_sphere(sphere, scene.light, lobe::blinn, n), shade_sphere(sphere, scene.light, which, n));
+    auto& reference = references[{scene.name, n}];
+    if (reference.empty()) reference = shade_sphere(sphere, scene.light, lobe::blinn, n);
+    entry->second = nmse(reference, shade_sphere(sphere, scene.light, which, n));
   }
   return entry->second;
 }

@@ -27,7 +27,7 @@ double slope_error(double slope, slope_axis axis) {
 
 double best_slope(slope_axis axis) {
   constexpr int kBits = 14;  // of the slope: four digits
-  return boost::math::tools::brent_find_minima([axis](double slope) { return slope_error(slope, axis); }, 0.6,
+  return boost::math::tools::brent_find_minima([axis](double slope) { return slope_error(slope, axis); }, 0.1,
                                                1.2, kBits)
       .first;
 }

@@ -13,7 +13,7 @@ enum class slope_axis {
 /// Largest error over n = 2, 5, 10, 20, 50, 100, 200, 500, 1000.
 double slope_error(double slope, slope_axis axis);
 
-/// The slope in [0.6, 1.2] with the least slope_error, to four digits.
+/// The slope in [0.1, 1.2] with the least slope_error, to four digits.
 double best_slope(slope_axis axis);
 
 }  // namespace blysk::golden

@@ -20,10 +20,6 @@ error_summary measure(lobe which, double n) {
   return result;
 }
 
-int first_exponent(epicentre where) {
-  return where == epicentre::inflection ? 2 : 1;
-}
-
 }  // namespace
 
 std::string at(const worst& w, int digits) {
@@ -40,6 +36,10 @@ const std::vector<error_summary>& errors_of(lobe which) {
   for (int n = static_cast<int>(result.size()) + 1; n <= kMaxExponent; ++n)
     result.push_back(measure(which, n));
   return result;
+}
+
+int first_exponent(epicentre where) {
+  return where == epicentre::inflection ? 2 : 1;
 }
 
 worst worst_relative(lobe which, epicentre where, int last) {

@@ -63,8 +63,11 @@ worst worst_over(int first, int last, const Metric& metric) {
   return result;
 }
 
-/// Largest relative or absolute error of a lobe in an epicentre over the exponents; the inflection point of n
-/// = 1 lies at 90 degrees, where no relative error exists, so that epicentre begins with n = 2.
+/// 1, but 2 for the inflection point: that of n = 1 lies at 90 degrees, where no relative error exists.
+int first_exponent(epicentre where);
+
+/// Largest relative or absolute error of a lobe in an epicentre, and over the whole range, over the
+/// exponents.
 worst worst_relative(lobe which, epicentre where, int last = kMaxExponent);
 worst worst_absolute(lobe which, epicentre where, int last = kMaxExponent);
 worst worst_whole(lobe which, int last = kMaxExponent);

@@ -8,7 +8,7 @@
 #include "tb/golden/claims/slopes.h"
 #include "tb/golden/claims/sweep.h"
 #include "tb/golden/naive.h"
-#include "tb/golden/test/referee.h"
+#include "tb/golden/referee.h"
 
 namespace blysk::golden {
 namespace {
@@ -21,9 +21,9 @@ std::vector<std::string> head_of(std::string_view first) {
   return result;
 }
 
-/// One row per lobe: metric at the listed exponents, then its largest over all of them.
+/// One row per lobe: metric at the listed exponents, then its largest over all from the first on.
 template <class Metric>
-std::string by_exponent(const Metric& metric) {
+std::string by_exponent(const Metric& metric, int first = 1) {
   auto head = head_of("lobe \\ n");
   head.push_back("largest, at n");
   std::vector<std::vector<std::string>> rows{head};
@@ -31,8 +31,8 @@ std::string by_exponent(const Metric& metric) {
     rows.push_back({std::string(name_of(which))});
     const auto& errors = errors_of(which);
     const auto value = [&](int n) { return metric(errors[static_cast<std::size_t>(n) - 1]); };
-    for (const int n : kListed) rows.back().push_back(number(value(n)));
-    const worst w = worst_over(1, kMaxExponent, value);
+    for (const int n : kListed) rows.back().push_back(n < first ? "-" : number(value(n)));
+    const worst w = worst_over(first, kMaxExponent, value);
     rows.back().push_back("**" + number(w.value) + "**, " + std::to_string(w.n));
   }
   return markdown(rows);
@@ -51,23 +51,25 @@ std::vector<table> error_tables() {
   auto rows = std::vector<std::vector<std::string>>{head_of("lobe \\ n")};
   for (const lobe which : kApproximations) {
     rows.push_back({std::string(name_of(which))});
-    for (const int n : kListed)
-      rows.back().push_back(
-          number(std::pow(errors_of(which)[static_cast<std::size_t>(n) - 1].whole.cos, n), 2));
+    for (const int n : kListed) {
+      const peak& whole = errors_of(which)[static_cast<std::size_t>(n) - 1].whole;
+      rows.back().push_back(whole.value < kRounding ? "-" : number(std::pow(whole.cos, n), 2));
+    }
   }
   text += markdown(rows) + "\n## Root mean square error over cos in [0, 1]\n\n" +
           by_exponent([](const error_summary& e) { return e.rms; });
   for (const epicentre where : kEpicentres) {
     const auto index = static_cast<std::size_t>(where);
-    text += "\n## Epicentre: " + std::string(name_of(where)) + "\n\nLargest relative error\n\n" +
-            by_exponent([=](const error_summary& e) { return e.relative[index].value; }) +
-            "\nLargest absolute error\n\n" +
-            by_exponent([=](const error_summary& e) { return e.absolute[index].value; });
+    text +=
+        "\n## Epicentre: " + std::string(name_of(where)) + "\n\nLargest relative error\n\n" +
+        by_exponent([=](const error_summary& e) { return e.relative[index].value; }, first_exponent(where)) +
+        "\nLargest absolute error\n\n" +
+        by_exponent([=](const error_summary& e) { return e.absolute[index].value; }, first_exponent(where));
   }
 
   rows = {{"slope", "largest absolute error, whole range", "largest relative error, c^n >= 0.56",
            "largest relative error, up to the inflection point"}};
-  for (int i = 60; i <= 100; i += 2) {
+  for (int i = 20; i <= 100; i += 4) {
     const double slope = i / 100.0;
     rows.push_back({number(slope), number(slope_error(slope, slope_axis::whole)),
                     number(slope_error(slope, slope_axis::epicentre)),

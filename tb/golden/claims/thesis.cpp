@@ -274,6 +274,9 @@ void add_shifts(std::vector<claim>& rows) {
                   "75 points by 3 colours; the triangle's place on the grid, which decides their number, is "
                   "not given (the text says 100 points)",
                   std::string(kUncheckable)});
+  rows.push_back({"T41", "2.4", "a row of an average triangle of 100 pixels has at most 16 pixels",
+                  "no distribution of triangles is given; the device's tables cover k = 2..16",
+                  std::string(kUncheckable)});
   rows.push_back({"T27", "2.4", "2946 cycles of a Pentium M against 2064: 1.43 times as fast",
                   "2946/2064 = " + number(2946.0 / 2064, 4) + "; the cycles themselves need that processor",
                   verdict_of_parts(std::vector<reading>{{"the quotient", rounds_to(2946.0 / 2064, 1.43, 2)},

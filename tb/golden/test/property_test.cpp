@@ -8,8 +8,8 @@
 #include "tb/golden/angle.h"
 #include "tb/golden/energy.h"
 #include "tb/golden/lobe.h"
+#include "tb/golden/referee.h"
 #include "tb/golden/scene.h"
-#include "tb/golden/test/referee.h"
 
 using namespace blysk::golden;
 

@@ -1,0 +1,342 @@
+// SPDX-License-Identifier: Apache-2.0
+// The program as its users start it: results, and one clear line for everything that is wrong with an input.
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "tb/catch.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A folder that vanishes with the test.
+class scratch {
+ public:
+  scratch() {
+    std::string pattern =
+        (fs::temp_directory_path() / "blysk test XXXXXX").string();  // a blank in every path
+    folder_ = mkdtemp(pattern.data());
+  }
+  ~scratch() {
+    std::error_code ignored;
+    fs::remove_all(folder_, ignored);
+  }
+  scratch(const scratch&) = delete;
+  scratch& operator=(const scratch&) = delete;
+
+  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+  std::string write(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_ / name, std::ios::binary) << text;
+    return path(name);
+  }
+  std::vector<std::string> names() const {
+    std::vector<std::string> names;
+    for (const auto& entry : fs::directory_iterator(folder_))
+      names.push_back(entry.path().filename().string());
+    return names;
+  }
+
+ private:
+  fs::path folder_;
+};
+
+std::string slurp(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::stringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+struct outcome {
+  int status;
+  std::string out, err;
+};
+
+std::string quoted(const std::string& text) {
+  return "'" + text + "'";
+}
+
+outcome blysk(const scratch& folder, const std::string& arguments) {
+  const std::string out = folder.path("stdout.txt");
+  const std::string err = folder.path("stderr.txt");
+  const int raw = std::system(
+      (quoted(BLYSK_PROGRAM) + " " + arguments + " >" + quoted(out) + " 2>" + quoted(err)).c_str());
+  outcome result{WIFEXITED(raw) ? WEXITSTATUS(raw) : -1, slurp(out), slurp(err)};
+  fs::remove(out);
+  fs::remove(err);
+  return result;
+}
+
+std::string simulate(const std::string& in, const std::string& out, const std::string& more = "") {
+  return "simulate --stimulus " + quoted(in) + " --results " + quoted(out) + " " + more;
+}
+
+const std::string kGood = "n,cos,r,g,b\n1,0,255,0,1\n10,0.99,200,100,50\n1000,1,255,255,255\n50,0.5,3,2,1\n";
+
+TEST_CASE("simulate gives the same rows through bit and systemc", "[cli]") {
+  const scratch folder;
+  const std::string in = folder.write("in.csv", kGood);
+  for (const std::string more : {"--format q12", "--format q8 --as-published --coefficient published",
+                                 "--format q24 --coefficient published --constant 110011"}) {
+    CAPTURE(more);
+    REQUIRE(blysk(folder, simulate(in, folder.path("bit.csv"), more + " --engine bit")).status == 0);
+    REQUIRE(blysk(folder, simulate(in, folder.path("systemc.csv"), more + " --engine systemc")).status == 0);
+    const std::string rows = slurp(folder.path("bit.csv"));
+    CHECK(rows == slurp(folder.path("systemc.csv")));
+    CHECK(rows.starts_with("n,cos,r,g,b,brdf,red,green,blue\n1,0,255,0,1,0,0,0,0\n"));
+    CHECK(rows.find("\n1000,1,255,255,255,1,255,255,255\n") != std::string::npos);
+  }
+}
+
+TEST_CASE("simulate gives the same rows through the exported Verilog", "[cli]") {
+  const scratch folder;
+  const std::string in = folder.write("in.csv", kGood);
+  for (const std::string format : {"q8", "q16", "q24"}) {
+    CAPTURE(format);
+    const std::string more = " --format " + format;
+    REQUIRE(blysk(folder, simulate(in, folder.path("bit.csv"), "--engine bit" + more)).status == 0);
+    REQUIRE(blysk(folder, simulate(in, folder.path("verilog.csv"), "--engine verilator" + more)).status == 0);
+    CHECK(slurp(folder.path("bit.csv")) == slurp(folder.path("verilog.csv")));
+  }
+}
+
+TEST_CASE("export writes the device's Verilog", "[cli]") {
+  const scratch folder;
+  const std::string rtl = folder.path("rtl");
+  REQUIRE(blysk(folder, "export --device quadratic --format q12 --output " + quoted(rtl)).status == 0);
+  CHECK(slurp(rtl + "/blysk_quadratic_q12.v").find("module blysk_quadratic_q12 (") != std::string::npos);
+  CHECK(fs::exists(rtl + "/blysk_quadratic_q12.f"));
+  const std::string file = folder.write("file", "");
+  const std::string no = " --output " + quoted(folder.path("no"));
+  for (const std::string& arguments :
+       {"export --format q9" + no, "export --constant 0" + no, "export --output " + quoted(file)}) {
+    const outcome failed = blysk(folder, arguments);
+    CAPTURE(arguments, failed.err);
+    CHECK(failed.status == 2);
+    CHECK(failed.err.starts_with("blysk: "));
+    CHECK(std::count(failed.err.begin(), failed.err.end(), '\n') == 1);
+    CHECK_FALSE(fs::exists(folder.path("no")));
+  }
+}
+
+TEST_CASE("simulate, golden, is the formula at the quantised cosine", "[cli]") {
+  const scratch folder;
+  const std::string in = folder.write("in.csv", "n,cos,r,g,b\n10,0.9,200,100,50\n");
+  REQUIRE(blysk(folder,
+                simulate(in, folder.path("out.csv"), "--engine golden --format q8 --coefficient published"))
+              .status == 0);
+  // 0.9 * 256 = 230.4, so c = 230/256; a = 8.36. Four roundings of values below 8.36, 2^-53 relative each.
+  double brdf = 0;
+  REQUIRE(std::sscanf(slurp(folder.path("out.csv")).c_str(),
+                      "n,cos,r,g,b,brdf,red,green,blue\n10,0.8984375,200,100,50,%lf", &brdf) == 1);
+  const double c = 230.0 / 256;
+  CHECK(std::abs(brdf - (8.36 * (c * c - c) + c)) < 8.36 * 4e-16);
+}
+
+TEST_CASE("simulate tolerates CRLF, a byte order mark, blanks and empty lines", "[cli]") {
+  const scratch folder;
+  const std::string plain = folder.write("plain.csv", kGood);
+  const std::string odd = folder.write("odd.csv",
+                                       "\xEF\xBB\xBFn, cos,r,g,b\r\n1,0,255,0,1\r\n\r\n 10 "
+                                       ",\t0.99,200,100,50\r\n1000,1,255,255,255\r\n50,0.5,3,2,1");
+  REQUIRE(blysk(folder, simulate(plain, folder.path("a.csv"))).status == 0);
+  REQUIRE(blysk(folder, simulate(odd, folder.path("b.csv"))).status == 0);
+  CHECK(slurp(folder.path("a.csv")) == slurp(folder.path("b.csv")));
+}
+
+TEST_CASE("simulate reads a pipe and writes one", "[cli]") {
+  const scratch folder;
+  const std::string in = folder.write("in.csv", kGood);
+  const outcome piped = blysk(folder, "simulate --stimulus - --results - <" + quoted(in));
+  REQUIRE(piped.status == 0);
+  REQUIRE(blysk(folder, simulate(in, folder.path("out.csv"))).status == 0);
+  CHECK(piped.out == slurp(folder.path("out.csv")));
+}
+
+TEST_CASE("simulate streams many rows through blocks without losing one", "[cli]") {
+  const scratch folder;
+  std::string text = "n,cos,r,g,b\n";
+  constexpr int kRows = 50000;  // several blocks and input buffers
+  for (int i = 0; i < kRows; ++i) {
+    text += std::to_string(1 + i % 1000) + "," + std::to_string(i % 1001 / 1000.0) + "," +
+            std::to_string(i % 256) + ",2,3\n";
+  }
+  const std::string in = folder.write("in.csv", text);
+  REQUIRE(blysk(folder, simulate(in, folder.path("bit.csv"))).status == 0);
+  REQUIRE(blysk(folder, simulate(in, folder.path("systemc.csv"), "--engine systemc")).status == 0);
+  const std::string rows = slurp(folder.path("bit.csv"));
+  CHECK(rows == slurp(folder.path("systemc.csv")));
+  CHECK(std::count(rows.begin(), rows.end(), '\n') == kRows + 1);
+}
+
+TEST_CASE("simulate records waves under the names of fig. 1", "[cli]") {
+  const scratch folder;
+  const std::string in = folder.write("in.csv", kGood);
+  const outcome done =
+      blysk(folder, simulate(in, folder.path("out.csv"),
+                             "--engine systemc --vcd " + quoted(folder.path("w.vcd")) + " --json"));
+  REQUIRE(done.status == 0);
+  const auto summary = nlohmann::json::parse(done.out);
+  CHECK(summary["rows"] == 4);
+  CHECK(summary["writes"] == 5);
+  CHECK(summary["cycles"] == 12);  // 2 of reset, 2 a write, the confirming one included
+  const std::string waves = slurp(folder.path("w.vcd"));
+  for (const char* name : {" clk ", " rst_n ", " strobe17 ", " valid29 ", " cos18 ", " out25_red ",
+                           " out26_green ", " out27_blue ", "module rg1 ", "module rg5 ", "module mul6 ",
+                           "module mul14 ", "module add9 ", "module add15 ", "module inv8 ", "1 ps"}) {
+    CAPTURE(name);
+    CHECK(waves.find(name) != std::string::npos);
+  }
+  CHECK(folder.names().size() == 3);  // in, out, waves: nothing temporary stays
+}
+
+struct wrong_input {
+  const char* name;
+  const char* text;
+  int line;
+  const char* message;
+};
+
+TEST_CASE("simulate says what is wrong with a stimulus, where, and leaves no output", "[cli]") {
+  const std::vector<wrong_input> inputs{
+      {"missing column", "n,cos,r,g\n1,0,1,1\n", 1, "header is 'n,cos,r,g', expected n,cos,r,g,b"},
+      {"no header", "1,0,1,1,1\n", 1, "header is '1,0,1,1,1', expected n,cos,r,g,b"},
+      {"n = 0", "n,cos,r,g,b\n0,0,1,1,1\n", 2, "n is '0', expected an integer 1..1000"},
+      {"n = 1001", "n,cos,r,g,b\n1,0,1,1,1\n1001,0,1,1,1\n", 3, "n is '1001', expected an integer 1..1000"},
+      {"n = 1.5", "n,cos,r,g,b\n1.5,0,1,1,1\n", 2, "n is '1.5', expected an integer 1..1000"},
+      {"n huge", "n,cos,r,g,b\n99999999999999999999,0,1,1,1\n", 2, "n is '99999999999999999999', expected"},
+      {"cos NaN", "n,cos,r,g,b\n1,nan,1,1,1\n", 2, "cos is 'nan', expected a real number in [0, 1]"},
+      {"cos 1.01", "n,cos,r,g,b\n1,1.01,1,1,1\n", 2, "cos is '1.01', expected a real number in [0, 1]"},
+      {"cos -0.1", "n,cos,r,g,b\n1,-0.1,1,1,1\n", 2, "cos is '-0.1', expected a real number in [0, 1]"},
+      {"cos inf", "n,cos,r,g,b\n1,inf,1,1,1\n", 2, "cos is 'inf', expected a real number in [0, 1]"},
+      {"letters", "n,cos,r,g,b\n1,0,red,1,1\n", 2, "r is 'red', expected an integer 0..255"},
+      {"letters after digits", "n,cos,r,g,b\n1,0.5x,1,1,1\n", 2, "cos is '0.5x', expected"},
+      {"colour 256", "n,cos,r,g,b\n1,0,1,256,1\n", 2, "g is '256', expected an integer 0..255"},
+      {"colour -1", "n,cos,r,g,b\n1,0,1,1,-1\n", 2, "b is '-1', expected an integer 0..255"},
+      {"truncated line", "n,cos,r,g,b\n1,0,1,1,1\n5,0.5,2", 3, "row has 3 fields, expected 5: n,cos,r,g,b"},
+      {"too many fields", "n,cos,r,g,b\n1,0,1,1,1,9\n", 2, "row has 6 fields, expected 5"},
+      {"empty field", "n,cos,r,g,b\n1,,1,1,1\n", 2, "cos is '', expected"},
+      {"empty file", "", 1, "is empty, expected the header n,cos,r,g,b"},
+  };
+  for (const auto& wrong : inputs) {
+    for (const char* engine : {"golden", "bit", "systemc"}) {
+      const scratch folder;
+      const std::string in = folder.write("in.csv", wrong.text);
+      const outcome failed =
+          blysk(folder, simulate(in, folder.path("out.csv"), std::string("--engine ") + engine));
+      CAPTURE(wrong.name, engine, failed.err);
+      CHECK(failed.status == 2);
+      CHECK(failed.err.starts_with("blysk: " + in + ":" + std::to_string(wrong.line) + ": " + wrong.message));
+      CHECK(std::count(failed.err.begin(), failed.err.end(), '\n') == 1);
+      CHECK(failed.out.empty());
+      CHECK(folder.names() == std::vector<std::string>{"in.csv"});
+    }
+  }
+}
+
+TEST_CASE("simulate keeps an earlier result when a later run fails", "[cli]") {
+  const scratch folder;
+  const std::string in = folder.write("in.csv", kGood);
+  REQUIRE(blysk(folder, simulate(in, folder.path("out.csv"))).status == 0);
+  const std::string before = slurp(folder.path("out.csv"));
+  folder.write("in.csv", kGood + "0,0,0,0,0\n");
+  CHECK(blysk(folder, simulate(in, folder.path("out.csv"))).status == 2);
+  CHECK(slurp(folder.path("out.csv")) == before);
+}
+
+TEST_CASE("files that cannot be read or written get one line", "[cli]") {
+  const scratch folder;
+  const std::string in = folder.write("in.csv", kGood);
+  const auto fails = [&](const std::string& arguments, const std::string& message) {
+    const outcome failed = blysk(folder, arguments);
+    CAPTURE(arguments, failed.err);
+    CHECK(failed.status == 2);
+    CHECK(failed.err.starts_with("blysk: "));
+    CHECK(failed.err.find(message) != std::string::npos);
+    CHECK(std::count(failed.err.begin(), failed.err.end(), '\n') == 1);
+  };
+  fails(simulate(folder.path("none.csv"), folder.path("out.csv")),
+        ":0: cannot be read (No such file or directory)");
+  fails(simulate(folder.path(""), folder.path("out.csv")), ":0: is a directory, expected a CSV file");
+  fails(simulate(in, folder.path("")), ":0: is a directory, expected a file to write");
+  fails(simulate(in, folder.path("none/out.csv")), ":0: cannot be written (No such file or directory)");
+  fails(simulate(in, "/dev/full"), "cannot be written (No space left on device)");
+  fails(simulate(in, folder.path("out.csv"), "--engine systemc --vcd " + quoted(folder.path("none/w.vcd"))),
+        ":0: cannot be written (No such file or directory)");
+  if (geteuid() != 0) {  // root may read and write everything
+    fs::permissions(in, fs::perms::none);
+    fails(simulate(in, folder.path("out.csv")), ":0: cannot be read (Permission denied)");
+  }
+  CHECK(folder.names() == std::vector<std::string>{"in.csv"});
+}
+
+TEST_CASE("wrong use gets one line and status 2", "[cli]") {
+  const scratch folder;
+  const std::string in = folder.write("in.csv", kGood);
+  const std::string out = folder.path("out.csv");
+  for (const std::string& arguments :
+       {std::string(), std::string("simulate"), std::string("polish"), simulate(in, out, "--format q9"),
+        simulate(in, out, "--device sphere"), simulate(in, out, "--engine magic"),
+        simulate(in, out, "--colour 3"), simulate(in, out, "--coefficient exact"),
+        simulate(in, out, "--vcd w.vcd"), simulate(in, out, "--constant 0110"),
+        simulate(in, out, "--engine golden --constant 110011"),
+        std::string("model nobody --points ") + quoted(in) + " --results -"}) {
+    const outcome failed = blysk(folder, arguments);
+    CAPTURE(arguments, failed.err);
+    CHECK(failed.status == 2);
+    CHECK(failed.err.starts_with("blysk: "));
+    CHECK(std::count(failed.err.begin(), failed.err.end(), '\n') == 1);
+  }
+  CHECK(folder.names() == std::vector<std::string>{"in.csv"});
+}
+
+TEST_CASE("model gives 17 digits and keeps the points' text", "[cli]") {
+  const scratch folder;
+  const std::string in = folder.write("in.csv", "n,cos\n2,.75\n1000,1e0\n1,0.1\n");
+  const outcome done = blysk(folder, "model blinn --points " + quoted(in) + " --results -");
+  REQUIRE(done.status == 0);
+  CHECK(done.out == "n,cos,value\n2,.75,0.5625\n1000,1e0,1\n1,0.1,0.10000000000000001\n");
+  folder.write("in.csv", "n,cos\n2,0.5\n2,1.5\n");
+  const outcome failed =
+      blysk(folder, "model blinn --points " + quoted(in) + " --results " + quoted(folder.path("out.csv")));
+  CHECK(failed.status == 2);
+  CHECK(failed.err.starts_with("blysk: " + in + ":3: "));
+  CHECK(folder.names() == std::vector<std::string>{"in.csv"});
+}
+
+TEST_CASE("list names what there is, for people and for programs", "[cli]") {
+  const scratch folder;
+  const auto json = nlohmann::json::parse(blysk(folder, "list --json").out);
+  const std::string text = blysk(folder, "list").out;
+  CHECK(json["models"].size() >= 16);
+  for (const auto& model : json["models"])
+    CHECK(text.find(model["name"].get<std::string>()) != std::string::npos);
+  for (const char* engine : {"golden", "bit", "systemc", "verilator"}) {
+    CHECK(std::count(json["engines"].begin(), json["engines"].end(), engine) == 1);
+  }
+}
+
+TEST_CASE("every verb has its help", "[cli]") {
+  const scratch folder;
+  for (const std::string verb : {"", "simulate", "model", "export", "list"}) {
+    const outcome help = blysk(folder, verb + " --help");
+    CAPTURE(verb);
+    CHECK(help.status == 0);
+    CHECK(help.out.find("Usage: blysk") != std::string::npos);
+    CHECK(help.err.empty());
+  }
+}
+
+}  // namespace

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: Apache-2.0
+// Results per second of the engines, and their ratios in one run: absolute times depend on the machine.
+#include <benchmark/benchmark.h>
+#include <fmt/format.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <ctime>
+#include <filesystem>
+#include <map>
+#include <random>
+
+#include "tb/bench/systemc_engine.h"
+#include "tb/bit/quadratic.h"
+
+namespace {
+
+using namespace blysk;
+
+constexpr std::size_t kColumn = 1024;    // elements whose columns stay in cache
+constexpr std::size_t kWrites = 100000;  // through SystemC, a time
+
+/// Random writes of q16, seed 1. Only cos changes, as along a scan line, or every register.
+batch random_writes(std::size_t size, bool all_registers) {
+  std::mt19937 random(1);
+  batch writes;
+  writes.resize(size);
+  for (std::size_t i = 0; i < size; ++i) {
+    writes.cos_delta[i] = static_cast<std::uint32_t>(random() % 65537);
+    writes.n[i] = static_cast<std::uint16_t>(all_registers ? 1 + random() % 1000 : 50);
+    writes.red_ks[i] = static_cast<std::uint8_t>(all_registers ? random() % 256 : 200);
+    writes.green_ks[i] = static_cast<std::uint8_t>(all_registers ? random() % 256 : 100);
+    writes.blue_ks[i] = static_cast<std::uint8_t>(all_registers ? random() % 256 : 50);
+  }
+  return writes;
+}
+
+void set_items(benchmark::State& state, std::size_t items) {
+  state.SetItemsProcessed(static_cast<std::int64_t>(items) * state.iterations());
+}
+
+/// Blinn's c^n by std::pow and its three colours, in double: what the device replaces.
+void golden_blinn(benchmark::State& state) {
+  const batch writes = random_writes(kColumn, true);
+  std::vector<double> n(writes.n.begin(), writes.n.end());
+  std::vector<double> c(kColumn), red(kColumn), green(kColumn), blue(kColumn);
+  for (std::size_t i = 0; i < kColumn; ++i) c[i] = writes.cos_delta[i] / 65536.0;
+  for (auto _ : state) {
+    for (std::size_t i = 0; i < kColumn; ++i) {
+      const double brdf = std::pow(c[i], n[i]);
+      red[i] = brdf * writes.red_ks[i];
+      green[i] = brdf * writes.green_ks[i];
+      blue[i] = brdf * writes.blue_ks[i];
+    }
+    benchmark::ClobberMemory();
+  }
+  set_items(state, kColumn);
+}
+
+template <class Q>
+void bit_kernel(benchmark::State& state) {
+  using formats = quadratic_formats<Q, lobe::clamped>;
+  using raw = bit::machine_int<typename formats::out>;
+  batch writes = random_writes(kColumn, true);
+  for (auto& code : writes.cos_delta) code = code % (static_cast<std::uint32_t>(formats::cos_delta::max) + 1);
+  std::vector<raw> brdf(kColumn), red(kColumn), green(kColumn), blue(kColumn);
+  const wired_constants wired = derived_line(formats::slope_bits);
+  for (auto _ : state) {
+    bit::quadratic_vector<formats>(
+        wired, {writes.n.data(), writes.cos_delta.data(), writes.red_ks.data(), writes.green_ks.data(),
+                writes.blue_ks.data(), brdf.data(), red.data(), green.data(), blue.data(), kColumn});
+    benchmark::ClobberMemory();
+  }
+  set_items(state, kColumn);
+}
+
+/// Seconds that `work` says it took, in a process of its own: SystemC elaborates once per process.
+template <class Work>
+double seconds_in_child(Work&& work) {
+  int ends[2];
+  if (pipe(ends) != 0) std::abort();
+  const pid_t child = fork();
+  if (child == 0) {
+    const double seconds = work();
+    const bool written = write(ends[1], &seconds, sizeof seconds) == sizeof seconds;
+    _exit(written ? 0 : 1);
+  }
+  double seconds = 0;
+  const bool answered = read(ends[0], &seconds, sizeof seconds) == sizeof seconds;
+  close(ends[0]);
+  close(ends[1]);
+  int status = 0;
+  if (child < 0 || waitpid(child, &status, 0) != child || status != 0 || !answered) std::abort();
+  return seconds;
+}
+
+/// Processor time of `work`, which other load on the machine disturbs less than the clock on the wall.
+template <class Work>
+double seconds(Work&& work) {
+  const std::clock_t started = std::clock();
+  work();
+  return static_cast<double>(std::clock() - started) / CLOCKS_PER_SEC;
+}
+
+/// The least that a clocked SystemC model can be: a clock and one register.
+struct bare_clock : sc_core::sc_module {
+  sc_core::sc_clock clk{"clk", sc_core::sc_time(bench::kClockPeriodNs, sc_core::SC_NS)};
+  sc_core::sc_signal<sc_dt::sc_uint<16>> SC_NAMED(q);
+  SC_CTOR(bare_clock) {
+    SC_METHOD(count);
+    sensitive << clk.posedge_event();
+    dont_initialize();
+  }
+  void count() { q.write(q.read() + 1); }
+};
+
+void systemc_bare_clock(benchmark::State& state) {
+  constexpr std::size_t kCycles = 500000;
+  for (auto _ : state) {
+    state.SetIterationTime(seconds_in_child([] {
+      bare_clock bare("bare");
+      sc_core::sc_start(bench::kClockPeriodNs, sc_core::SC_NS);
+      return seconds([] { sc_core::sc_start(bench::kClockPeriodNs * kCycles, sc_core::SC_NS); });
+    }));
+  }
+  set_items(state, kCycles);
+}
+
+void systemc_device(benchmark::State& state, bool all_registers, bool traced) {
+  for (auto _ : state) {
+    state.SetIterationTime(seconds_in_child([&] {
+      const auto device = bench::make_systemc({});
+      const auto waves = std::filesystem::temp_directory_path() / fmt::format("blysk-bench-{}", getpid());
+      if (traced) device->trace(waves.string());
+      const batch writes = random_writes(traced ? kWrites / 10 : kWrites, all_registers);
+      results out;
+      device->run(random_writes(2, true), out);
+      const double taken = seconds([&] { device->run(writes, out); });
+      if (traced) std::filesystem::remove(waves.string() + ".vcd");
+      return taken;
+    }));
+  }
+  set_items(state, traced ? kWrites / 10 : kWrites);
+}
+
+/// Remembers the median rates while the table is printed.
+class rate_reporter : public benchmark::ConsoleReporter {
+ public:
+  void ReportRuns(const std::vector<Run>& runs) override {
+    ConsoleReporter::ReportRuns(runs);
+    for (const Run& run : runs) {
+      if (run.aggregate_name != "median") continue;
+      const std::string name = run.run_name.function_name;
+      rates[name] = run.counters.at("items_per_second");
+    }
+  }
+  std::map<std::string, double> rates;
+};
+
+}  // namespace
+
+int sc_main(int, char**) {
+  return 0;
+}
+
+int main(int argc, char** argv) {
+  sc_core::sc_report_handler::set_actions(sc_core::SC_INFO, sc_core::SC_DO_NOTHING);
+  const auto add = [](const char* name, auto function) {
+    return benchmark::RegisterBenchmark(name, function)->Repetitions(7)->ReportAggregatesOnly();
+  };
+  add("golden_blinn", golden_blinn);
+  add("bit_q8", bit_kernel<q8>);
+  add("bit_q16", bit_kernel<q16>);
+  add("bit_q22", bit_kernel<q22>);
+  add("bit_q24", bit_kernel<q24>);
+  add("bare_clock", systemc_bare_clock)->UseManualTime()->Iterations(1);
+  const auto add_device = [&](const char* name, bool all_registers, bool traced) {
+    add(name, [=](benchmark::State& state) { systemc_device(state, all_registers, traced); })
+        ->UseManualTime()
+        ->Iterations(1);
+  };
+  add_device("systemc_cos_only", false, false);
+  add_device("systemc_all_registers", true, false);
+  add_device("systemc_cos_only_vcd", false, true);
+  benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
+  rate_reporter reporter;
+  benchmark::RunSpecifiedBenchmarks(&reporter);
+  const auto ratio = [&](const char* what, const char* a, const char* b) {
+    if (reporter.rates.count(a) != 0 && reporter.rates.count(b) != 0) {
+      fmt::print("{:<58} {:8.3f}\n", what, reporter.rates[a] / reporter.rates[b]);
+    }
+  };
+  fmt::print("\nratios of the medians\n");
+  ratio("bit q8 / golden Blinn (std::pow)", "bit_q8", "golden_blinn");
+  ratio("bit q16 / golden Blinn (std::pow)", "bit_q16", "golden_blinn");
+  ratio("bit q22 / golden Blinn (std::pow)", "bit_q22", "golden_blinn");
+  ratio("bit q24 / golden Blinn (std::pow)", "bit_q24", "golden_blinn");
+  ratio("systemc results, cos alone written / cycle of bare clock", "systemc_cos_only", "bare_clock");
+  ratio("systemc results, all registers written / cycle of bare clock", "systemc_all_registers",
+        "bare_clock");
+  ratio("systemc without a VCD / with one (price of the waves)", "systemc_cos_only", "systemc_cos_only_vcd");
+  return 0;
+}

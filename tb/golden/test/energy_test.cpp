@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/golden/energy.h"
+
+#include <cmath>
+#include <limits>
+
+#include "tb/catch.h"
+#include "tb/golden/angle.h"
+#include "tb/golden/errors.h"
+#include "tb/golden/shift_division.h"
+#include "tb/golden/sphere.h"
+
+using namespace blysk::golden;
+
+namespace {
+
+constexpr double kPi = boost::math::constants::pi<double>();
+constexpr double kQuadrature = 1e-9;  // what reflectance() promises, relative
+
+}  // namespace
+
+TEST_CASE("a perfect diffuser reflects what arrives, at any incidence", "[golden][energy]") {
+  const auto lambertian = [](double) { return 1 / kPi; };
+  for (const double degrees : {0.0, 15.0, 45.0, 60.0, 80.0, 89.0}) {
+    CAPTURE(degrees);
+    CHECK(std::abs(reflectance(lambertian, lobe_axis::half_vector, degrees * kPi / 180, kPi / 2) - 1) <
+          kQuadrature);
+  }
+}
+
+TEST_CASE("reflectance at normal incidence has closed forms", "[golden][energy]") {
+  for (const int n : {1, 2, 10, 1000}) {
+    const auto power = [n](double c) { return std::pow(c, n); };
+    // mirror: 2 pi integral c^(n+1) dc;  half vector: 8 pi integral from sqrt(1/2) of c^(n+1) (2 c^2 - 1) dc
+    const double mirror = 2 * kPi / (n + 2);
+    const double edge = std::sqrt(0.5);
+    const double half =
+        8 * kPi * (2 * (1 - std::pow(edge, n + 4)) / (n + 4) - (1 - std::pow(edge, n + 2)) / (n + 2));
+    CAPTURE(n);
+    CHECK(std::abs(reflectance_of_cosine(power, lobe_axis::mirror, 0, 0) / mirror - 1) < kQuadrature);
+    CHECK(std::abs(reflectance_of_cosine(power, lobe_axis::half_vector, 0, 0) / half - 1) < kQuadrature);
+  }
+}
+
+TEST_CASE("the exact coefficient normalises the integral it comes from", "[golden][energy]") {
+  for (const double q : {0.1, 0.5, 0.9}) {
+    for (const double k : {1.0, 5.0}) {
+      const double n = 50;
+      const auto f = [=](double x) { return angle_coefficient_exact(n, k, q) * angle_lobe(n, k, q, x); };
+      CAPTURE(q, k);
+      CHECK(std::abs(reflectance(f, lobe_axis::mirror, 0, angle_limit(n, k, q)) - 1) < kQuadrature);
+    }
+  }
+}
+
+TEST_CASE("the energy factors are what their bound says", "[golden][energy]") {
+  // 1 / (8 pi integral of the lobe); the lobes are polynomials, so 16-point quadrature up to the root is
+  // exact.
+  using quadrature = boost::math::quadrature::gauss_kronrod<double, 31>;
+  for (const double a : {0.25, 0.75, 1.0, 1.5, 10.0, 786.5}) {
+    const double root = a < 1 ? 0 : 1 - 1 / a;
+    const double integral = quadrature::integrate([a](double c) { return quadratic(a, c); }, root, 1.0);
+    CAPTURE(a);
+    // 1 - a (1 - c) inherits a times the roundoff of c.
+    CHECK(std::abs(quadratic_energy_factor(a) * 8 * kPi * integral - 1) < 64 * (1 + a) * 0x1p-53);
+  }
+}
+
+TEST_CASE("the largest error of a known function is found where it lies", "[golden][errors]") {
+  const auto bump = [](double c) { return 1 - 1e6 * (c - 0.9912) * (c - 0.9912); };
+  const peak found = largest(bump, 300, 0, 1);
+  CHECK(std::abs(found.cos - 0.9912) <
+        1e-6);  // Brent's method stops at half the digits, scaled by sqrt(1/1e6)
+  CHECK(std::abs(found.value - 1) < 1e-6);
+  // c^1 against Schlick's lobe at n = 1, which is c itself: the denominator's rounding is left.
+  CHECK(largest_absolute_error(clamped_lobe(lobe::schlick, 1), 1, 0).value <= 4 * 0x1p-53);
+  // rms of 0 against c: sqrt(1/3).
+  CHECK(std::abs(rms_error([](double) { return 0; }, 1) - std::sqrt(1.0 / 3)) < 1e-9);
+}
+
+TEST_CASE("an error that peaks in a kink is found for every exponent", "[golden][errors]") {
+  // For n >= 3 the clamped parabola is furthest from c^n where it ends; Brent's method places the kink to
+  // 2^-26, and c^n falls by no more than n times that.
+  for (int n = 3; n <= 1000; ++n) {
+    const double root = 1 - 1 / coefficient<double>(coefficient_line::derived, n);
+    const peak found = largest_absolute_error(clamped_lobe(lobe::quadratic_derived, n), n, 0);
+    CAPTURE(n, found.cos, root);
+    REQUIRE(found.value >= blinn<double>(n, root) - n * 0x1p-26);
+  }
+}
+
+TEST_CASE("NMSE is a share of the reference's energy", "[golden][sphere]") {
+  const std::vector<double> reference{1, 2, 2};
+  const std::vector<double> doubled{2, 4, 4};
+  CHECK(nmse(reference, reference) == 0);
+  CHECK(nmse(reference, doubled) == 1);
+  CHECK(nmse(doubled, reference) == 0.25);
+}
+
+TEST_CASE("the sphere is round, faces the viewer and peaks where the normal is the half vector",
+          "[golden][sphere]") {
+  sphere_scene scene;
+  scene.side = 64;
+  const auto normals = sphere_normals(scene);
+  for (const auto& normal : normals) {
+    REQUIRE(normal.z > 0);
+    REQUIRE(std::abs(dot(normal, normal) - 1) <= 8 * 0x1p-53);
+  }
+  const auto picture = shade_sphere(scene, {1, 1, 0, 0, 1}, lobe::blinn, 100);
+  const auto brightest = static_cast<std::size_t>(std::ranges::max_element(picture) - picture.begin());
+  const auto half_vec = half_vector(scene.light, scene.view);
+  // No normal is nearer to the half vector than that of the brightest pixel.
+  for (const auto& normal : normals) REQUIRE(dot(normal, half_vec) <= dot(normals[brightest], half_vec));
+}
+
+TEST_CASE("division by shifts rounds 1/k to the nearest number of its places", "[golden][shifts]") {
+  CHECK(reciprocal_digits(7, 6) == 0b001001);  // 1/8 + 1/64, [T] (2.19)
+  for (uint32_t k = 2; k <= 1000; ++k) {
+    for (int places = 1; places <= 16; ++places) {
+      CAPTURE(k, places);
+      // |digits / 2^places - 1/k| <= 2^-(places + 1), in whole numbers.
+      const auto error = std::abs(int64_t{reciprocal_digits(k, places)} * k - (int64_t{1} << places));
+      REQUIRE(2 * error <= k);
+    }
+  }
+  CHECK(shifted_quotient(255, 7, 6) == 255 * 9 / 64.0);
+}
