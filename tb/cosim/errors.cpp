@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fstream>
 
@@ -21,6 +22,8 @@ std::string row(const std::string& format, engine& model, int fraction, unsigned
   double max_abs = 0;
   double squares = 0;
   std::array<double, golden::kEpicentres.size()> max_rel{};
+  std::array<double, golden::kEpicentres.size()> edges{};
+  std::ranges::transform(golden::kEpicentres, edges.begin(), [&](auto which) { return golden::epicentre_edge(which, n); });
   const std::uint64_t codes = (std::uint64_t{1} << fraction) + 1;
   batch in;
   results out;
@@ -38,7 +41,7 @@ std::string row(const std::string& format, engine& model, int fraction, unsigned
       max_abs = std::max(max_abs, error);
       squares += error * error;
       for (std::size_t e = 0; e < max_rel.size(); ++e) {
-        if (c > 0 && c >= golden::epicentre_edge(golden::kEpicentres[e], n)) {
+        if (c > 0 && c >= edges[e]) {
           max_rel[e] = std::max(max_rel[e], error / exact);
         }
       }
