@@ -38,7 +38,7 @@ mutation parse(const std::string& line) {
   if (!std::regex_search(line, found, cell)) throw std::runtime_error("not a mutation: " + line);
   std::smatch block;
   const std::string name = found[2];
-  return {std::regex_search(name, block, instance) ? block[1].str() : "register", found[3],
+  return {std::regex_search(name, block, instance) ? block[1].str() : "made by opt", found[3],
           fmt::format("{} at {}[{}], wire {}[{}]", found[1].str(), found[3].str(), found[4].str(), found[5].str(),
                       found[6].str()),
           found[3] == "Q" && found[5].str().ends_with(".q_o")};
