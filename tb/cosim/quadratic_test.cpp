@@ -11,12 +11,18 @@
 namespace blysk::cosim {
 namespace {
 
-/// The exported device and the model that it has to equal.
+device_options options_of(const std::string& format) {
+  device_options options;
+  options.format = format;
+  return options;
+}
+
+/// Verilog, the exported device's if no other is given, and the model that it has to equal.
 class comparison {
  public:
-  explicit comparison(const std::string& format) : comparison(options_of(format)) {}
-  explicit comparison(const device_options& options)
-      : fraction(fraction_bits(options)), verilog_(make_verilator(options)), model_(bit::make_quadratic(options)) {}
+  explicit comparison(const std::string& format) : comparison(options_of(format), make_verilator(options_of(format))) {}
+  comparison(const device_options& options, std::unique_ptr<verilator_engine> verilog)
+      : fraction(fraction_bits(options)), verilog_(std::move(verilog)), model_(bit::make_quadratic(options)) {}
 
   void check(const batch& in) {
     verilog_->run(in, got_);
@@ -39,28 +45,27 @@ class comparison {
   std::uint64_t compared = 0;
 
  private:
-  static device_options options_of(const std::string& format) {
-    device_options options;
-    options.format = format;
-    return options;
-  }
-
   std::unique_ptr<verilator_engine> verilog_;
   std::unique_ptr<engine> model_;
   results got_, expected_;
 };
 
-void check_all_inputs(const std::string& format) {
-  comparison both(format);
+void check_all_inputs(comparison both) {
   for_all_inputs(both.fraction, [&](const batch& in) { both.check(in); });
   CHECK(both.compared == 1000 * ((std::uint64_t{1} << both.fraction) + 1));
 }
 
 }  // namespace
 
-TEST_CASE("q8: all n at all cosines", "[cosim][full]") { check_all_inputs("q8"); }
-TEST_CASE("q10: all n at all cosines", "[cosim][full]") { check_all_inputs("q10"); }
-TEST_CASE("q12: all n at all cosines", "[cosim][full]") { check_all_inputs("q12"); }
+TEST_CASE("q8: all n at all cosines", "[cosim][full]") { check_all_inputs(comparison("q8")); }
+TEST_CASE("q10: all n at all cosines", "[cosim][full]") { check_all_inputs(comparison("q10")); }
+TEST_CASE("q12: all n at all cosines", "[cosim][full]") { check_all_inputs(comparison("q12")); }
+
+TEST_CASE("the reference by hand: all n at all cosines", "[cosim][full]") {
+  const std::string format = GENERATE("q8", "q10", "q12");
+  CAPTURE(format);
+  check_all_inputs({options_of(format), make_reference(format)});
+}
 
 TEST_CASE("q8: every colour at every cosine", "[cosim]") {
   comparison both("q8");
@@ -79,11 +84,18 @@ TEST_CASE("random inputs of every format", "[cosim]") {
   for_random_inputs(both.fraction, 20'000, 1, [&](const batch& in) { both.check(in); });
 }
 
+TEST_CASE("ten million random inputs of the wide formats", "[cosim][full]") {
+  const std::string format = GENERATE("q14", "q16", "q18", "q20", "q22", "q24");
+  CAPTURE(format);
+  comparison both(format);
+  for_random_inputs(both.fraction, 10'000'000, 2, [&](const batch& in) { both.check(in); });
+}
+
 TEST_CASE("the ends, the roots and the clamp's edges of the wide formats", "[cosim][full]") {
   const std::string format = GENERATE("q14", "q16", "q18", "q20", "q22", "q24");
   CAPTURE(format);
   comparison both(format);
-  for_corner_inputs(both.fraction, 1 << 6, [&](const batch& in) { both.check(in); });
+  for_corner_inputs(both.fraction, 1 << 10, [&](const batch& in) { both.check(in); });
 }
 
 }  // namespace blysk::cosim

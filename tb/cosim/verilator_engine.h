@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <string>
 
 #include "tb/engine.h"
 
@@ -52,5 +53,9 @@ class verilator_engine : public clocked_engine {
 /// \throws std::invalid_argument for options that no device has, and for others than the default coefficient,
 ///         constant and lobe: those are exported on demand, and not compiled into the program
 std::unique_ptr<verilator_engine> make_verilator(const device_options& options);
+
+/// reference_quadratic.v, written by hand, with the default coefficient, constant and lobe.
+/// \throws std::invalid_argument for formats other than q8, q10 and q12
+std::unique_ptr<verilator_engine> make_reference(const std::string& format);
 
 }  // namespace blysk::cosim

@@ -1,0 +1,55 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# formal.sh PROPERTY: proves a property of the exported q8 device with yosys' SAT solver.
+#   range      by induction: the BRDF is at most 1, and no output exceeds its colour
+#   hold       by induction: registers hold while no strobe writes them; outputs depend on nothing but registers
+#   registers  by induction: the registers and output 29 are those of reference_quadratic.v
+#   colours    multipliers 12..14 are those of reference_quadratic.v, for every BRDF and colour
+# Exit 0 if it is proved.
+set -euo pipefail
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+property=$1
+
+# Hiding the blocks' port nets leaves the device's own names for the registers.
+device="
+  read_verilog $here/../../rtl_verilog/quadratic_q8/*.v
+  hierarchy -top blysk_quadratic_q8
+  proc; flatten; opt -full; rename -hide w:*.*; opt_clean; rename blysk_quadratic_q8 device"
+reference="
+  read_verilog $here/reference_quadratic.v
+  rename reference_quadratic reference; proc reference; opt -full reference"
+induct="proc; flatten; opt -full; techmap; opt -full
+  sat -tempinduct -maxsteps 3 -prove-asserts -set-assumes -verify formal"
+
+# nets MODULE NET...: "MODULE/w:NET ..."
+nets() { printf "$1/w:%s " "${@:2}"; }
+
+sequential() {
+  yosys -q -p "$device; expose $(nets device n cos_delta r_ks g_ks b_ks brdf)
+    $reference; expose $(nets reference n c red green blue brdf strobe17)
+    read_verilog -formal -D PROVE_$1 $here/formal.v
+    hierarchy -check -top formal; $induct"
+}
+
+case $property in
+  range) sequential RANGE ;;
+  hold)
+    # The cone of 25..27, without what stands behind a register, holds no input.
+    yosys -q -p "$device
+      select -assert-none o:r_o o:g_o o:b_o %u %u %ci*:-\$sdffe,\$sdff,\$dff,\$dffe i:* %i"
+    sequential HOLD
+    ;;
+  registers) sequential REGISTERS ;;
+  colours)
+    yosys -q -p "$device; $reference
+      expose -input $(nets device brdf r_ks g_ks b_ks) $(nets reference brdf red green blue)
+      read_verilog -formal $here/formal_colours.v
+      hierarchy -check -top formal_colours
+      proc; flatten; wreduce; opt_merge; opt_clean; techmap; opt -full
+      sat -prove-asserts -verify formal_colours"
+    ;;
+  *)
+    sed -n '3,8s/^# //p' "${BASH_SOURCE[0]}" >&2
+    exit 2
+    ;;
+esac
