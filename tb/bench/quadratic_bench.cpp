@@ -16,7 +16,7 @@ class quadratic_engine final : public systemc_engine {
   void trace(const std::string& path) override {
     file_ = sc_core::sc_create_vcd_trace_file(path.c_str());
     file_->set_time_unit(1, sc_core::SC_PS);
-    host_.pins.trace(file_);
+    host_.pins.record(file_);
   }
 
   void stop_trace() override {

@@ -46,7 +46,7 @@ struct quadratic_pins : sc_core::sc_module {
   }
 
   /// Pins at the top level, the output of every block under the block's name.
-  void trace(sc_core::sc_trace_file* file) const {
+  void record(sc_core::sc_trace_file* file) const {
     using sc_core::sc_trace;
     const auto pin = [file](const auto& signal) { sc_trace(file, signal, signal.basename()); };
     pin(clk), pin(rst_n);

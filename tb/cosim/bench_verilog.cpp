@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <chrono>
 
-#include "tb/cosim/verilator_engine.h"
 #include "tb/cosim/vectors.h"
+#include "tb/cosim/verilator_engine.h"
 #include "tb/device.h"
 
 int main() {
@@ -37,8 +37,8 @@ int main() {
     for (auto& rate : rates) std::ranges::sort(rate);
     const double exported = rates[0][kRounds / 2];
     const double reference = rates[1][kRounds / 2];
-    fmt::print("{}: exported {:.2f} M writes/s, by hand {:.2f} M writes/s, ratio {:.2f} (medians of {})\n", format,
-               exported / 1e6, reference / 1e6, exported / reference, kRounds);
+    fmt::print("{}: exported {:.2f} M writes/s, by hand {:.2f} M writes/s, ratio {:.2f} (medians of {})\n",
+               format, exported / 1e6, reference / 1e6, exported / reference, kRounds);
   }
   return 0;
 }

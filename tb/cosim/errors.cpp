@@ -23,7 +23,8 @@ std::string row(const std::string& format, engine& model, int fraction, unsigned
   double squares = 0;
   std::array<double, golden::kEpicentres.size()> max_rel{};
   std::array<double, golden::kEpicentres.size()> edges{};
-  std::ranges::transform(golden::kEpicentres, edges.begin(), [&](auto which) { return golden::epicentre_edge(which, n); });
+  std::ranges::transform(golden::kEpicentres, edges.begin(),
+                         [&](auto which) { return golden::epicentre_edge(which, n); });
   const std::uint64_t codes = (std::uint64_t{1} << fraction) + 1;
   batch in;
   results out;

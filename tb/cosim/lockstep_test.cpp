@@ -28,8 +28,8 @@ void lockstep(const std::string& format, int cycles) {
     const outputs got = verilog->apply(values);
     const outputs expected{systemc.out25_red.read().to_uint64(), systemc.out26_green.read().to_uint64(),
                            systemc.out27_blue.read().to_uint64(), systemc.valid29.read()};
-    CAPTURE(sc_core::sc_time_stamp().to_string(), got.r_o, expected.r_o, got.g_o, expected.g_o, got.b_o, expected.b_o,
-            got.valid_o, expected.valid_o);
+    CAPTURE(sc_core::sc_time_stamp().to_string(), got.r_o, expected.r_o, got.g_o, expected.g_o, got.b_o,
+            expected.b_o, got.valid_o, expected.valid_o);
     REQUIRE(got == expected);
     writes_to_outputs += got.r_o != before.r_o;
     before = got;
@@ -61,14 +61,32 @@ void lockstep(const std::string& format, int cycles) {
 }  // namespace
 
 // A process elaborates one device: ctest runs each case in its own.
-TEST_CASE("q8", "[cosim]") { lockstep<q8>("q8", 20'000); }
-TEST_CASE("q10", "[cosim]") { lockstep<q10>("q10", 20'000); }
-TEST_CASE("q12", "[cosim]") { lockstep<q12>("q12", 20'000); }
-TEST_CASE("q14", "[cosim]") { lockstep<q14>("q14", 20'000); }
-TEST_CASE("q16", "[cosim]") { lockstep<q16>("q16", 20'000); }
-TEST_CASE("q18", "[cosim]") { lockstep<q18>("q18", 20'000); }
-TEST_CASE("q20", "[cosim]") { lockstep<q20>("q20", 20'000); }
-TEST_CASE("q22", "[cosim]") { lockstep<q22>("q22", 20'000); }
-TEST_CASE("q24", "[cosim]") { lockstep<q24>("q24", 20'000); }
+TEST_CASE("q8", "[cosim]") {
+  lockstep<q8>("q8", 20'000);
+}
+TEST_CASE("q10", "[cosim]") {
+  lockstep<q10>("q10", 20'000);
+}
+TEST_CASE("q12", "[cosim]") {
+  lockstep<q12>("q12", 20'000);
+}
+TEST_CASE("q14", "[cosim]") {
+  lockstep<q14>("q14", 20'000);
+}
+TEST_CASE("q16", "[cosim]") {
+  lockstep<q16>("q16", 20'000);
+}
+TEST_CASE("q18", "[cosim]") {
+  lockstep<q18>("q18", 20'000);
+}
+TEST_CASE("q20", "[cosim]") {
+  lockstep<q20>("q20", 20'000);
+}
+TEST_CASE("q22", "[cosim]") {
+  lockstep<q22>("q22", 20'000);
+}
+TEST_CASE("q24", "[cosim]") {
+  lockstep<q24>("q24", 20'000);
+}
 
 }  // namespace blysk::cosim

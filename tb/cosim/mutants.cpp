@@ -19,6 +19,8 @@ class verilated_mutants final : public verilated_quadratic<device, mutants> {
 
 }  // namespace
 
-std::unique_ptr<mutants> make_mutants() { return std::make_unique<verilated_mutants>(); }
+std::unique_ptr<mutants> make_mutants() {
+  return std::make_unique<verilated_mutants>();
+}
 
 }  // namespace blysk::cosim

@@ -28,19 +28,22 @@ struct mutation {
 
   // A fault at a combinational cell, or behind a data register, leaves the outputs a function of what the data
   // registers hold.
-  bool is_combinational() const { return std::string_view("ABSY").find(port) != std::string_view::npos || is_behind_data; }
+  bool is_combinational() const {
+    return std::string_view("ABSY").find(port) != std::string_view::npos || is_behind_data;
+  }
 };
 
 mutation parse(const std::string& line) {
-  static const std::regex cell(R"(-mode (\w+) .*-cell (\S+) -port (\w+) -portbit (\d+)(?:.* -wire (\S+) -wirebit (\d+))?)");
+  static const std::regex cell(
+      R"(-mode (\w+) .*-cell (\S+) -port (\w+) -portbit (\d+)(?:.* -wire (\S+) -wirebit (\d+))?)");
   static const std::regex instance(R"(\$flatten\\(\w+)\.)");
   std::smatch found;
   if (!std::regex_search(line, found, cell)) throw std::runtime_error("not a mutation: " + line);
   std::smatch block;
   const std::string name = found[2];
   return {std::regex_search(name, block, instance) ? block[1].str() : "made by opt", found[3],
-          fmt::format("{} at {}[{}], wire {}[{}]", found[1].str(), found[3].str(), found[4].str(), found[5].str(),
-                      found[6].str()),
+          fmt::format("{} at {}[{}], wire {}[{}]", found[1].str(), found[3].str(), found[4].str(),
+                      found[5].str(), found[6].str()),
           found[3] == "Q" && found[5].str().ends_with(".q_o")};
 }
 
@@ -80,7 +83,8 @@ class regression {
 
   bool differs(const vectors& each) {
     mutants_->run(each.in, got_);
-    return got_.red != each.expected.red || got_.green != each.expected.green || got_.blue != each.expected.blue;
+    return got_.red != each.expected.red || got_.green != each.expected.green ||
+           got_.blue != each.expected.blue;
   }
 
   // 25..27 at colours 255 tell all BRDFs apart, so all (n, cos) there cover the path to the BRDF; then every colour at
@@ -106,7 +110,8 @@ class regression {
     });
     batch in;
     for (const auto& [brdf, input] : inputs) {
-      for (unsigned colour = 0; colour < 256; ++colour) append(in, input.first, input.second, colour, colour, colour);
+      for (unsigned colour = 0; colour < 256; ++colour)
+        append(in, input.first, input.second, colour, colour, colour);
       if (in.size() >= 4096) {
         colours_.push_back(with_results(in));
         in.resize(0);

@@ -5,8 +5,8 @@
 
 #include "tb/bit/quadratic.h"
 #include "tb/catch.h"
-#include "tb/cosim/verilator_engine.h"
 #include "tb/cosim/vectors.h"
+#include "tb/cosim/verilator_engine.h"
 
 namespace blysk::cosim {
 namespace {
@@ -20,9 +20,12 @@ device_options options_of(const std::string& format) {
 /// Verilog, the exported device's if no other is given, and the model that it has to equal.
 class comparison {
  public:
-  explicit comparison(const std::string& format) : comparison(options_of(format), make_verilator(options_of(format))) {}
+  explicit comparison(const std::string& format)
+      : comparison(options_of(format), make_verilator(options_of(format))) {}
   comparison(const device_options& options, std::unique_ptr<verilator_engine> verilog)
-      : fraction(fraction_bits(options)), verilog_(std::move(verilog)), model_(bit::make_quadratic(options)) {}
+      : fraction(fraction_bits(options)),
+        verilog_(std::move(verilog)),
+        model_(bit::make_quadratic(options)) {}
 
   void check(const batch& in) {
     verilog_->run(in, got_);
@@ -57,9 +60,15 @@ void check_all_inputs(comparison both) {
 
 }  // namespace
 
-TEST_CASE("q8: all n at all cosines", "[cosim][full]") { check_all_inputs(comparison("q8")); }
-TEST_CASE("q10: all n at all cosines", "[cosim][full]") { check_all_inputs(comparison("q10")); }
-TEST_CASE("q12: all n at all cosines", "[cosim][full]") { check_all_inputs(comparison("q12")); }
+TEST_CASE("q8: all n at all cosines", "[cosim][full]") {
+  check_all_inputs(comparison("q8"));
+}
+TEST_CASE("q10: all n at all cosines", "[cosim][full]") {
+  check_all_inputs(comparison("q10"));
+}
+TEST_CASE("q12: all n at all cosines", "[cosim][full]") {
+  check_all_inputs(comparison("q12"));
+}
 
 TEST_CASE("the reference by hand: all n at all cosines", "[cosim][full]") {
   const std::string format = GENERATE("q8", "q10", "q12");
@@ -72,7 +81,8 @@ TEST_CASE("q8: every colour at every cosine", "[cosim]") {
   batch in;
   for (unsigned code = 0; code <= 256; ++code) {
     // At n = 1 the parabola rises all the way from 0 to 1, so the BRDF takes most of its values.
-    for (unsigned colour = 0; colour < 256; ++colour) append(in, 1, code, colour, 255 - colour, colour ^ 0x55u);
+    for (unsigned colour = 0; colour < 256; ++colour)
+      append(in, 1, code, colour, 255 - colour, colour ^ 0x55u);
   }
   both.check(in);
 }

@@ -25,16 +25,16 @@ namespace blysk::cosim {
 template <int Fraction>
 std::unique_ptr<verilator_engine> make_quadratic();
 
-#define BLYSK_DEVICE(Fraction)                                                                     \
-  namespace {                                                                                      \
-  struct device_q##Fraction {                                                                      \
-    Vblysk_quadratic_q##Fraction top;                                                              \
-    std::int64_t brdf() const { return top.rootp->blysk_quadratic_q##Fraction##__DOT__brdf; }      \
-  };                                                                                               \
-  }                                                                                                \
-  template <>                                                                                      \
-  std::unique_ptr<verilator_engine> make_quadratic<Fraction>() {                                   \
-    return std::make_unique<verilated_quadratic<device_q##Fraction>>();                            \
+#define BLYSK_DEVICE(Fraction)                                                                \
+  namespace {                                                                                 \
+  struct device_q##Fraction {                                                                 \
+    Vblysk_quadratic_q##Fraction top;                                                         \
+    std::int64_t brdf() const { return top.rootp->blysk_quadratic_q##Fraction##__DOT__brdf; } \
+  };                                                                                          \
+  }                                                                                           \
+  template <>                                                                                 \
+  std::unique_ptr<verilator_engine> make_quadratic<Fraction>() {                              \
+    return std::make_unique<verilated_quadratic<device_q##Fraction>>();                       \
   }
 
 BLYSK_DEVICE(8)

@@ -16,12 +16,13 @@ int main(int argc, char** argv) {
   options.format = argv[1];
   const auto model = blysk::bit::make_quadratic(options);
   blysk::results out;
-  blysk::cosim::for_random_inputs(blysk::fraction_bits(options), std::stoull(argv[2]), 1, [&](const blysk::batch& in) {
-    model->run(in, out);
-    for (std::size_t i = 0; i < in.size(); ++i) {
-      fmt::print("{} {} {} {} {} {} {} {}\n", in.n[i], in.cos_delta[i], in.red_ks[i], in.green_ks[i], in.blue_ks[i],
-                 out.red[i], out.green[i], out.blue[i]);
-    }
-  });
+  blysk::cosim::for_random_inputs(
+      blysk::fraction_bits(options), std::stoull(argv[2]), 1, [&](const blysk::batch& in) {
+        model->run(in, out);
+        for (std::size_t i = 0; i < in.size(); ++i) {
+          fmt::print("{} {} {} {} {} {} {} {}\n", in.n[i], in.cos_delta[i], in.red_ks[i], in.green_ks[i],
+                     in.blue_ks[i], out.red[i], out.green[i], out.blue[i]);
+        }
+      });
   return 0;
 }

@@ -11,9 +11,11 @@ std::unique_ptr<verilator_engine> make_quadratic();
 
 std::unique_ptr<verilator_engine> make_verilator(const device_options& options) {
   wire_constants(options);  // throws for what no device has
-  if (options.coefficient != device_options{}.coefficient || !options.constant.empty() || options.as_published) {
+  if (options.coefficient != device_options{}.coefficient || !options.constant.empty() ||
+      options.as_published) {
     throw std::invalid_argument(
-        "engine verilator has the default coefficient, constant and lobe compiled in; export the device for others");
+        "engine verilator has the default coefficient, constant and lobe compiled in; export the device for "
+        "others");
   }
   return visit_formats(options, []<class Q, lobe>() { return make_quadratic<Q::frac>(); });
 }

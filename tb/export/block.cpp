@@ -10,7 +10,9 @@
 
 namespace blysk::verilog {
 
-std::string range_text(int width) { return width == 1 ? "" : fmt::format("[{}:0] ", width - 1); }
+std::string range_text(int width) {
+  return width == 1 ? "" : fmt::format("[{}:0] ", width - 1);
+}
 
 std::string literal(wide_int value, int width) {
   wide_int rest = value & ((wide_int{1} << width) - 1);
@@ -87,7 +89,9 @@ const char* word_for(operation op) {
   }
 }
 
-bool is_name(const node& n) { return n.op == operation::signal || n.op == operation::parameter; }
+bool is_name(const node& n) {
+  return n.op == operation::signal || n.op == operation::parameter;
+}
 
 }  // namespace
 
@@ -100,7 +104,8 @@ class block_reader::body {
  public:
   explicit body(const block_reader& reader) {
     for (const declaration& name : reader.declarations_) taken_.insert(name.name);
-    for (const assignment& drive : reader.drives_) want(*drive.value.root(), reader.declarations_[drive.target].bits.width);
+    for (const assignment& drive : reader.drives_)
+      want(*drive.value.root(), reader.declarations_[drive.target].bits.width);
     for (const flip_flops& flops : reader.registers_) {
       for (const expression* bit : {&flops.clk, &flops.rst_n, &flops.enable}) want(*bit->root(), 1);
       want(*flops.d.root(), reader.declarations_[flops.q].bits.width);
@@ -119,7 +124,8 @@ class block_reader::body {
 
   /// Wires, each followed by those of its bits that nothing reads, then the statements.
   std::string text(std::vector<declaration> declarations) {
-    std::ranges::sort(declarations, {}, &declaration::name);  // compilers differ in the order of a law's arguments
+    std::ranges::sort(declarations, {},
+                      &declaration::name);  // compilers differ in the order of a law's arguments
     std::string result;
     for (const declaration& name : declarations) {
       if (name.where == declaration::role::wire) result += "  " + name.text() + ";\n";
@@ -134,8 +140,8 @@ class block_reader::body {
 
  private:
   struct use {
-    int width = 0;          // that the most demanding user wants
-    int count = 0;          // of users
+    int width = 0;           // that the most demanding user wants
+    int count = 0;           // of users
     bool is_sliced = false;  // a user wants other than its low bits
   };
   struct wire {
@@ -192,7 +198,9 @@ class block_reader::body {
   static bool are_signed(const node& a, const node& b) { return a.is_signed() || b.is_signed(); }
 
   static int compared_width(const node& a, const node& b) {
-    const auto width = [&](const node& n) { return n.width() + (are_signed(a, b) && !n.is_signed() ? 1 : 0); };
+    const auto width = [&](const node& n) {
+      return n.width() + (are_signed(a, b) && !n.is_signed() ? 1 : 0);
+    };
     return std::max(width(a), width(b));
   }
 
@@ -300,7 +308,8 @@ class block_reader::body {
   }
 
   void assign(const declaration& target, const expression& value) {
-    statements_ += fmt::format("  assign {} = {};\n", target.name, bits(*value.root(), target.bits.width).text);
+    statements_ +=
+        fmt::format("  assign {} = {};\n", target.name, bits(*value.root(), target.bits.width).text);
   }
 
   void clocked(const declaration& q, const flip_flops& flops) {
@@ -367,10 +376,13 @@ std::size_t block_reader::declare(const std::string& name, declaration::role whe
 }
 
 bool block_reader::is_clock(const std::string& port) const {
-  return std::ranges::any_of(registers_, [&](const flip_flops& flops) { return flops.clk.root()->name == port; });
+  return std::ranges::any_of(registers_,
+                             [&](const flip_flops& flops) { return flops.clk.root()->name == port; });
 }
 
-int block_reader::parameter_width(const std::string& name) const { return body(*this).parameter_width(name); }
+int block_reader::parameter_width(const std::string& name) const {
+  return body(*this).parameter_width(name);
+}
 
 std::string block_reader::text(const std::string& module_name, const std::string& title,
                                const std::vector<std::string>& ports) const {
@@ -378,14 +390,16 @@ std::string block_reader::text(const std::string& module_name, const std::string
   std::string separator = " #(\n";
   for (const instance_parameter& each : parameters_) {
     const int width = parameter_width(each.name);
-    result += fmt::format("{}    parameter {}{} = {}", separator, range_text(width), each.name, literal(0, width));
+    result +=
+        fmt::format("{}    parameter {}{} = {}", separator, range_text(width), each.name, literal(0, width));
     separator = ",\n";
   }
   if (!parameters_.empty()) result += "\n)";
   separator = " (\n";
   for (const std::string& port : ports) {
     const auto found = std::ranges::find(declarations_, port, &declaration::name);
-    if (found == declarations_.end()) throw std::logic_error("port " + port + " of " + module_name + " is not described");
+    if (found == declarations_.end())
+      throw std::logic_error("port " + port + " of " + module_name + " is not described");
     result += separator + "    " + found->text();
     separator = ",\n";
   }

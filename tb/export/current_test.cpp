@@ -42,14 +42,32 @@ void compare(const std::string& format) {
 }  // namespace
 
 // A process elaborates one device: ctest runs each case in its own.
-TEST_CASE("q8", "[verilog]") { compare("q8"); }
-TEST_CASE("q10", "[verilog]") { compare("q10"); }
-TEST_CASE("q12", "[verilog]") { compare("q12"); }
-TEST_CASE("q14", "[verilog]") { compare("q14"); }
-TEST_CASE("q16", "[verilog]") { compare("q16"); }
-TEST_CASE("q18", "[verilog]") { compare("q18"); }
-TEST_CASE("q20", "[verilog]") { compare("q20"); }
-TEST_CASE("q22", "[verilog]") { compare("q22"); }
-TEST_CASE("q24", "[verilog]") { compare("q24"); }
+TEST_CASE("q8", "[verilog]") {
+  compare("q8");
+}
+TEST_CASE("q10", "[verilog]") {
+  compare("q10");
+}
+TEST_CASE("q12", "[verilog]") {
+  compare("q12");
+}
+TEST_CASE("q14", "[verilog]") {
+  compare("q14");
+}
+TEST_CASE("q16", "[verilog]") {
+  compare("q16");
+}
+TEST_CASE("q18", "[verilog]") {
+  compare("q18");
+}
+TEST_CASE("q20", "[verilog]") {
+  compare("q20");
+}
+TEST_CASE("q22", "[verilog]") {
+  compare("q22");
+}
+TEST_CASE("q24", "[verilog]") {
+  compare("q24");
+}
 
 }  // namespace blysk::verilog

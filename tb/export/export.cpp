@@ -16,7 +16,8 @@ namespace {
 
 /// "device quadratic, format q12, coefficient derived, BRDF clamped", what was given alone.
 std::string description(const device_options& options) {
-  return fmt::format("device {}, format {}, coefficient {}{}, {}", options.device, options.format, options.coefficient,
+  return fmt::format("device {}, format {}, coefficient {}{}, {}", options.device, options.format,
+                     options.coefficient,
                      options.constant.empty() ? "" : ", constant 0." + options.constant + "b",
                      options.as_published ? "BRDF as published" : "BRDF clamped to [0, 1]");
 }
@@ -56,7 +57,8 @@ std::string core_text(const std::string& name, const std::string& what, const fi
 std::string constraints_text(const std::vector<std::string>& clocks) {
   std::string text =
       "# SPDX-License-Identifier: Apache-2.0\n"
-      "# 10 ns stands for the board's clock. No path is false: rst_n is synchronous, and what enters or leaves does so\n"
+      "# 10 ns stands for the board's clock. No path is false: rst_n is synchronous, and what enters or "
+      "leaves does so\n"
       "# within one period.\n";
   for (const std::string& clk : clocks) {
     text += fmt::format(
@@ -80,7 +82,8 @@ files export_files(const sc_core::sc_module& device, const device_options& optio
                    const std::map<std::string, std::string>& notes, const parts_list& parts) {
   const std::string name = top_name(options);
   const std::string what = description(options);
-  files result = netlist(device, name, fmt::format("// {}, exported from the SystemC model.\n", what), notes, parts);
+  files result =
+      netlist(device, name, fmt::format("// {}, exported from the SystemC model.\n", what), notes, parts);
   std::string list;
   for (const auto& [file, text] : result) list += file + "\n";
   const std::string core = core_text(name, what, result);
@@ -91,7 +94,8 @@ files export_files(const sc_core::sc_module& device, const device_options& optio
 }
 
 files export_files(const device_options& options) {
-  if (options.device != "quadratic") throw std::invalid_argument("device " + options.device + " does not exist");
+  if (options.device != "quadratic")
+    throw std::invalid_argument("device " + options.device + " does not exist");
   return visit_formats(options, [&]<class Q, lobe Lobe>() { return export_quadratic<Q, Lobe>(options); });
 }
 

@@ -15,8 +15,10 @@ int unsigned_width(wide_int value) {
   return width;
 }
 
-expression make(operation op, std::initializer_list<expression> operands, wide_int low, wide_int high, int distance = 0) {
-  auto made = std::make_shared<node>(node{.op = op, .operands = {}, .low = low, .high = high, .distance = distance});
+expression make(operation op, std::initializer_list<expression> operands, wide_int low, wide_int high,
+                int distance = 0) {
+  auto made =
+      std::make_shared<node>(node{.op = op, .operands = {}, .low = low, .high = high, .distance = distance});
   for (const expression& operand : operands) {
     made->operands.push_back(operand.root());
     made->depth = std::max(made->depth, operand.root()->depth + 1);
@@ -26,9 +28,13 @@ expression make(operation op, std::initializer_list<expression> operands, wide_i
 }
 
 // Constants are folded, so that T{1} << k is one number in the text.
-bool is_constant(const expression& a) { return a.root()->op == operation::constant; }
+bool is_constant(const expression& a) {
+  return a.root()->op == operation::constant;
+}
 
-expression make_constant(wide_int value) { return make(operation::constant, {}, value, value); }
+expression make_constant(wide_int value) {
+  return make(operation::constant, {}, value, value);
+}
 
 expression truth(const expression& a) {
   const node& root = *a.root();
@@ -46,8 +52,11 @@ expression::expression(std::int64_t value) : expression(make_constant(value)) {}
 
 expression expression::signal(const std::string& name, int width, bool is_signed) {
   const wide_int span = wide_int{1} << (is_signed ? width - 1 : width);
-  return expression(std::make_shared<node>(
-      node{.op = operation::signal, .operands = {}, .low = is_signed ? -span : 0, .high = span - 1, .name = name}));
+  return expression(std::make_shared<node>(node{.op = operation::signal,
+                                                .operands = {},
+                                                .low = is_signed ? -span : 0,
+                                                .high = span - 1,
+                                                .name = name}));
 }
 
 expression expression::parameter(const std::string& name) {
@@ -93,9 +102,13 @@ expression operator>>(const expression& a, int distance) {
   return make(operation::shift_right, {a}, x.low >> distance, x.high >> distance, distance);
 }
 
-expression operator<(const expression& a, const expression& b) { return make(operation::less, {a, b}, 0, 1); }
+expression operator<(const expression& a, const expression& b) {
+  return make(operation::less, {a, b}, 0, 1);
+}
 
-expression operator==(const expression& a, const expression& b) { return make(operation::equal, {a, b}, 0, 1); }
+expression operator==(const expression& a, const expression& b) {
+  return make(operation::equal, {a, b}, 0, 1);
+}
 
 expression operator&&(const expression& a, const expression& b) {
   return make(operation::logical_and, {truth(a), truth(b)}, 0, 1);
@@ -105,7 +118,9 @@ expression operator||(const expression& a, const expression& b) {
   return make(operation::logical_or, {truth(a), truth(b)}, 0, 1);
 }
 
-expression operator!(const expression& a) { return make(operation::logical_not, {truth(a)}, 0, 1); }
+expression operator!(const expression& a) {
+  return make(operation::logical_not, {truth(a)}, 0, 1);
+}
 
 expression select(const expression& condition, const expression& a, const expression& b) {
   return make(operation::select, {truth(condition), a, b}, std::min(a.root()->low, b.root()->low),

@@ -74,11 +74,21 @@ expression operator&&(const expression& a, const expression& b);
 expression operator||(const expression& a, const expression& b);
 expression operator!(const expression& a);
 
-inline expression operator-(const expression& a) { return expression{0} - a; }
-inline expression operator>(const expression& a, const expression& b) { return b < a; }
-inline expression operator<=(const expression& a, const expression& b) { return !(b < a); }
-inline expression operator>=(const expression& a, const expression& b) { return !(a < b); }
-inline expression operator!=(const expression& a, const expression& b) { return !(a == b); }
+inline expression operator-(const expression& a) {
+  return expression{0} - a;
+}
+inline expression operator>(const expression& a, const expression& b) {
+  return b < a;
+}
+inline expression operator<=(const expression& a, const expression& b) {
+  return !(b < a);
+}
+inline expression operator>=(const expression& a, const expression& b) {
+  return !(a < b);
+}
+inline expression operator!=(const expression& a, const expression& b) {
+  return !(a == b);
+}
 
 /// condition ? a : b, found by the laws beside blysk::law::select.
 expression select(const expression& condition, const expression& a, const expression& b);

@@ -54,8 +54,8 @@ class writer {
 
   /// Writes a module and those below it.
   /// \return  its ports
-  std::vector<declaration> write(const sc_core::sc_module& module, const std::string& name, const std::string& title,
-                                 const std::map<std::string, std::string>& notes) {
+  std::vector<declaration> write(const sc_core::sc_module& module, const std::string& name,
+                                 const std::string& title, const std::map<std::string, std::string>& notes) {
     scope nets = scope_of(module);
     std::string instances;
     for (const sc_core::sc_module* sub : modules_of(module)) instances += instance(*sub, name, nets);
@@ -70,8 +70,8 @@ class writer {
         ports.push_back(each.declared);
       }
     }
-    result[name + ".v"] = file_text(
-        title, fmt::format("module {} (\n{}\n);\n\n{}\n{}\nendmodule\n", name, port_list(ports, notes), wires, instances));
+    result[name + ".v"] = file_text(title, fmt::format("module {} (\n{}\n);\n\n{}\n{}\nendmodule\n", name,
+                                                       port_list(ports, notes), wires, instances));
     return ports;
   }
 
@@ -89,7 +89,8 @@ class writer {
     scope nets;
     for (const sc_core::sc_object* child : module.get_child_objects()) {
       const sc_core::sc_interface* channel = dynamic_cast<const sc_core::sc_interface*>(child);
-      if (const auto* port = dynamic_cast<const sc_core::sc_port_base*>(child)) channel = port->get_interface();
+      if (const auto* port = dynamic_cast<const sc_core::sc_port_base*>(child))
+        channel = port->get_interface();
       if (channel != nullptr) nets.push_back({channel, {child->basename(), role::wire, {}, false}});
     }
     for (const sc_core::sc_port_base* port : ports_of(module)) {
@@ -123,7 +124,8 @@ class writer {
     std::string connections;
     for (const sc_core::sc_port_base* port : ports_of(module)) {
       net& bound = find(nets, *port);
-      const declaration& declared = *std::ranges::find(declarations, std::string(port->basename()), &declaration::name);
+      const declaration& declared =
+          *std::ranges::find(declarations, std::string(port->basename()), &declaration::name);
       bound.declared.bits = declared.bits;
       if (declared.where == role::output) {
         ++bound.drivers;
@@ -131,7 +133,8 @@ class writer {
       } else {
         ++bound.readers;
       }
-      connections += fmt::format("{}.{}({})", connections.empty() ? "" : ", ", declared.name, bound.declared.name);
+      connections +=
+          fmt::format("{}.{}({})", connections.empty() ? "" : ", ", declared.name, bound.declared.name);
     }
     return fmt::format("  {}{} {} ({});\n", type, values, module.basename(), connections);
   }
@@ -160,19 +163,22 @@ class writer {
     const bool is_input = each.declared.where == role::input;
     const bool is_wire = each.declared.where == role::wire;
     if (each.drivers != (is_input ? 0 : 1)) {
-      throw std::logic_error(fmt::format("{}.{} has {} drivers", module.name(), each.declared.name, each.drivers));
+      throw std::logic_error(
+          fmt::format("{}.{} has {} drivers", module.name(), each.declared.name, each.drivers));
     }
     if ((is_input || is_wire) && each.readers == 0) {
       throw std::logic_error(fmt::format("{}.{} has no reader", module.name(), each.declared.name));
     }
   }
 
-  static std::string port_list(const std::vector<declaration>& ports, const std::map<std::string, std::string>& notes) {
+  static std::string port_list(const std::vector<declaration>& ports,
+                               const std::map<std::string, std::string>& notes) {
     std::string result;
     for (const declaration& port : ports) {
       const auto note = notes.find(port.name);
-      result += fmt::format("    {}{}{}{}", port.text(), &port == &ports.back() ? "" : ",",
-                            note == notes.end() ? "" : "  // " + note->second, &port == &ports.back() ? "" : "\n");
+      result +=
+          fmt::format("    {}{}{}{}", port.text(), &port == &ports.back() ? "" : ",",
+                      note == notes.end() ? "" : "  // " + note->second, &port == &ports.back() ? "" : "\n");
     }
     return result;
   }
@@ -188,8 +194,8 @@ const parts_list::part* parts_list::find(const sc_core::sc_object& module) const
 }
 
 std::string parts_list::type_name(const std::type_info& type) {
-  const std::unique_ptr<char, decltype(&std::free)> name(abi::__cxa_demangle(type.name(), nullptr, nullptr, nullptr),
-                                                         std::free);
+  const std::unique_ptr<char, decltype(&std::free)> name(
+      abi::__cxa_demangle(type.name(), nullptr, nullptr, nullptr), std::free);
   return std::regex_replace(std::regex_replace(name.get(), std::regex("blysk::"), ""), std::regex(" >"), ">");
 }
 
