@@ -7,16 +7,17 @@
 #   colours    multipliers 12..14 are those of reference_quadratic.v, for every BRDF and colour
 # Exit 0 if it is proved.
 set -euo pipefail
-here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+self=$(readlink -f "${BASH_SOURCE[0]}")
+cd "$(dirname "$self")" # names without the folders above, which may have blanks that Yosys does not take
 property=$1
 
 # Hiding the blocks' port nets leaves the device's own names for the registers.
 device="
-  read_verilog $here/../../rtl_verilog/quadratic_q8/*.v
+  read_verilog ../../rtl_verilog/quadratic_q8/*.v
   hierarchy -top blysk_quadratic_q8
   proc; flatten; opt -full; rename -hide w:*.*; opt_clean; rename blysk_quadratic_q8 device"
 reference="
-  read_verilog $here/reference_quadratic.v
+  read_verilog reference_quadratic.v
   rename reference_quadratic reference; proc reference; opt -full reference"
 induct="proc; flatten; opt -full; techmap; opt -full
   sat -tempinduct -maxsteps 3 -prove-asserts -set-assumes -verify formal"
@@ -27,7 +28,7 @@ nets() { printf "$1/w:%s " "${@:2}"; }
 sequential() {
   yosys -q -p "$device; expose $(nets device n cos_delta r_ks g_ks b_ks brdf)
     $reference; expose $(nets reference n c red green blue brdf strobe17)
-    read_verilog -formal -D PROVE_$1 $here/formal.v
+    read_verilog -formal -D PROVE_$1 formal.v
     hierarchy -check -top formal; $induct"
 }
 
@@ -43,13 +44,13 @@ case $property in
   colours)
     yosys -q -p "$device; $reference
       expose -input $(nets device brdf r_ks g_ks b_ks) $(nets reference brdf red green blue)
-      read_verilog -formal $here/formal_colours.v
+      read_verilog -formal formal_colours.v
       hierarchy -check -top formal_colours
       proc; flatten; wreduce; opt_merge; opt_clean; techmap; opt -full
       sat -prove-asserts -verify formal_colours"
     ;;
   *)
-    sed -n '3,8s/^# //p' "${BASH_SOURCE[0]}" >&2
+    sed -n '3,8s/^# //p' "$self" >&2
     exit 2
     ;;
 esac

@@ -5,6 +5,7 @@
 // legal up to 2^F, the constant S has K = min(F, 20) bits (S below, rounded), c^2 has D fraction bits, rounded to
 // nearest (exact if D = 2 F), and the BRDF is rounded to F fraction bits, to nearest, ties up.
 `default_nettype none
+/* verilator lint_off WIDTH */  // written as formulas are: Verilog's own extension of operands is meant
 
 module reference_quadratic #(
     parameter F = 8,

@@ -57,7 +57,7 @@ class parts_list {
   /// \param blocks  a device's blocks(): a tie of its leaf modules
   template <class... Blocks>
   explicit parts_list(const std::tuple<Blocks&...>& blocks) {
-    std::apply([this](const auto&... block) { (add(block, typeid(block)), ...); }, blocks);
+    std::apply([this](const auto&... block) { (this->add(block, typeid(block)), ...); }, blocks);
   }
 
   const part* find(const sc_core::sc_object& module) const;
