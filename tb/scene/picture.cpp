@@ -23,17 +23,6 @@ picture difference(const picture& a, const picture& b, int gain) {
   return result;
 }
 
-double nmse(const picture& reference, const picture& other) {
-  double error = 0;
-  double signal = 0;
-  for (std::size_t i = 0; i < reference.rgb.size(); ++i) {
-    const double difference = static_cast<double>(reference.rgb[i]) - other.rgb[i];
-    error += difference * difference;
-    signal += static_cast<double>(reference.rgb[i]) * reference.rgb[i];
-  }
-  return error / signal;
-}
-
 void write_png(const picture& image, const std::filesystem::path& path) {
   png_image png{};
   png.version = PNG_IMAGE_VERSION;

@@ -29,9 +29,6 @@ void paste(const picture& tile, picture& sheet, int x, int y);
 /// |a - b| per channel, `gain` times, at most 255. Both pictures have the same size.
 picture difference(const picture& a, const picture& b, int gain);
 
-/// NMSE = sum((R1-R2)^2 + (G1-G2)^2 + (B1-B2)^2) / sum(R1^2 + G1^2 + B1^2), picture 1 the reference.   [T] (3.1)
-double nmse(const picture& reference, const picture& other);
-
 /// Writes a PNG.
 /// \throws std::runtime_error with the path and libpng's reason
 void write_png(const picture& image, const std::filesystem::path& path);

@@ -118,6 +118,12 @@ results compute_highlights(bench::systemc_engine& device, const std::vector<samp
   return all;
 }
 
+/// [T] (3.1) over the 8-bit channels.
+double nmse(const picture& reference, const picture& other) {
+  return golden::nmse(std::vector<double>(reference.rgb.begin(), reference.rgb.end()),
+                      std::vector<double>(other.rgb.begin(), other.rgb.end()));
+}
+
 struct outcome {
   int n;
   double nmse_blinn;      // device against Blinn: the price of the model
@@ -189,7 +195,7 @@ void run(const options& asked) {
       return scaled(asked.device.as_published ? brdf : std::fmax(brdf, 0.0));
     });
     const picture unscaled = scene::difference(blinn, from_device, 1);
-    outcomes.push_back({n, scene::nmse(blinn, from_device), scene::nmse(formula, from_device),
+    outcomes.push_back({n, nmse(blinn, from_device), nmse(formula, from_device),
                         *std::max_element(unscaled.rgb.begin(), unscaled.rgb.end())});
     const int x = asked.side * static_cast<int>(outcomes.size() - 1);
     scene::paste(from_device, sheet, x, 0);
