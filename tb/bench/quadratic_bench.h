@@ -120,10 +120,9 @@ class quadratic_host : public sc_core::sc_module {
     if (in_ == nullptr) return;
     if (!pins.strobe17.read()) {
       pins.strobe17.write(true);
-      pins.strobe15.write(false);
-      pins.strobe20.write(false);
-      pins.strobe22.write(false);
-      pins.strobe24.write(false);
+      for (auto* strobe : {&pins.strobe15, &pins.strobe20, &pins.strobe22, &pins.strobe24}) {
+        if (strobe->read()) strobe->write(false);
+      }
       if (next_ < in_->size()) pins.cos18.write(in_->cos_delta[next_]);
     } else {
       pins.strobe17.write(false);
