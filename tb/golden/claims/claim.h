@@ -16,7 +16,6 @@ inline constexpr std::string_view kPartly = "holds in part";
 inline constexpr std::string_view kFails = "does not hold";
 inline constexpr std::string_view kAmbiguous = "ambiguous";
 inline constexpr std::string_view kUncheckable = "cannot be checked";
-inline constexpr std::string_view kPending = "not measured yet";
 
 struct claim {
   std::string id;        ///< "P3", "A-T1", "T12", "E4"

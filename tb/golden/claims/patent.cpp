@@ -71,13 +71,14 @@ std::vector<claim> patent_claims() {
                       " takes 10 integer bits, which leaves " + number(rom_bits - 10) + " fraction bits",
                   std::string(kAmbiguous) + ": holds for words of " + number(rom_bits) + " bits"});
   rows.push_back({"P7", "task", "without the read-only memory the chip is simpler",
-                  "needs the areas of the devices quadratic and quadratic-rom, synthesised alike",
-                  std::string(kPending)});
+                  "takes the areas of both chips, synthesised alike; the prototype is not modelled",
+                  std::string(kUncheckable)});
   rows.push_back({"P8", "advantage over UA 71489", "faster, as no arc cosine has to be computed",
-                  "needs cycles and longest paths of the devices quadratic and angle",
-                  std::string(kPending)});
+                  "takes cycles and longest paths of both devices; UA 71489's is not modelled",
+                  std::string(kUncheckable)});
   rows.push_back({"P9", "fig. 3", "the strobe's period must exceed the transients of the device",
-                  "needs the settling time from the engine timed", std::string(kPending)});
+                  "a duty of the host, without a figure; the clocked model settles within one period of clk",
+                  std::string(kUncheckable)});
   return rows;
 }
 

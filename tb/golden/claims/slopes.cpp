@@ -8,9 +8,9 @@
 
 namespace blysk::golden {
 
-double slope_error(double slope, slope_axis axis) {
+double slope_error(double slope, slope_axis axis, int first) {
   double result = 0;
-  for (const double n : {2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0, 500.0, 1000.0}) {
+  for (int n = first; n <= 1000; ++n) {
     const double a = slope * n - 0.5;
     const auto f = [a](double c) { return std::max(0.0, quadratic(a, c)); };
     const peak error =
@@ -25,10 +25,10 @@ double slope_error(double slope, slope_axis axis) {
   return result;
 }
 
-double best_slope(slope_axis axis) {
+double best_slope(slope_axis axis, int first) {
   constexpr int kBits = 14;  // of the slope: four digits
-  return boost::math::tools::brent_find_minima([axis](double slope) { return slope_error(slope, axis); }, 0.1,
-                                               1.2, kBits)
+  return boost::math::tools::brent_find_minima([=](double slope) { return slope_error(slope, axis, first); },
+                                               0.1, 1.2, kBits)
       .first;
 }
 

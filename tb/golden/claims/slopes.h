@@ -10,10 +10,10 @@ enum class slope_axis {
   inflection,  ///< largest relative error up to the inflection point
 };
 
-/// Largest error over n = 2, 5, 10, 20, 50, 100, 200, 500, 1000.
-double slope_error(double slope, slope_axis axis);
+/// Largest error over n = first..1000. Axis inflection has no n = 1: c^1 has no such point.
+double slope_error(double slope, slope_axis axis, int first);
 
 /// The slope in [0.1, 1.2] with the least slope_error, to four digits.
-double best_slope(slope_axis axis);
+double best_slope(slope_axis axis, int first);
 
 }  // namespace blysk::golden
