@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <fmt/compile.h>
 #include <fmt/format.h>
 
-#include <charconv>
 #include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -14,6 +12,7 @@
 #include "tb/cli/device_arguments.h"
 #include "tb/cli/engines.h"
 #include "tb/cli/files.h"
+#include "tb/cli/rows.h"
 #include "tb/cli/verbs.h"
 #include "tb/cosim/verilator_engine.h"
 #include "tb/golden/lobes.h"
@@ -28,57 +27,16 @@ struct options {
   bool json = false;
 };
 
-constexpr std::size_t kRowsPerBlock = 8192;
-
-/// What the formula gives for every write of a batch, as reals.
-struct golden_results {
-  std::vector<double> brdf, red, green, blue;
-};
-
 golden::coefficient_line line_of(const std::string& coefficient) {
   if (coefficient == "published") return golden::coefficient_line::published;
   if (coefficient == "derived") return golden::coefficient_line::derived;
   return golden::coefficient_line::exact;
 }
 
-std::int64_t parse_integer(const csv_reader& rows, std::size_t column, int low, int high) {
-  const std::string_view field = rows.fields()[column];
-  int value = 0;
-  const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
-  if (error != std::errc{} || end != field.data() + field.size() || value < low || value > high) {
-    throw rows.error(column, fmt::format("an integer {}..{}", low, high));
-  }
-  return value;
-}
-
-/// cos(delta) as the code that register 2 takes: rounded to nearest, ties up.
-std::uint32_t parse_cosine(const csv_reader& rows, std::size_t column, double scale) {
-  const std::string_view field = rows.fields()[column];
-  double value = 0;
-  const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
-  if (error != std::errc{} || end != field.data() + field.size() || !(value >= 0 && value <= 1)) {
-    throw rows.error(column, "a real number in [0, 1]");
-  }
-  return static_cast<std::uint32_t>(std::floor(value * scale + 0.5));
-}
-
-/// Reads up to kRowsPerBlock rows; an empty batch at the end of the file.
-void read_block(csv_reader& rows, double scale, batch& block) {
-  block.resize(0);
-  while (block.size() < kRowsPerBlock && rows.next()) {
-    block.n.push_back(static_cast<std::uint16_t>(parse_integer(rows, 0, 1, 1000)));
-    block.cos_delta.push_back(parse_cosine(rows, 1, scale));
-    block.red_ks.push_back(static_cast<std::uint8_t>(parse_integer(rows, 2, 0, 255)));
-    block.green_ks.push_back(static_cast<std::uint8_t>(parse_integer(rows, 3, 0, 255)));
-    block.blue_ks.push_back(static_cast<std::uint8_t>(parse_integer(rows, 4, 0, 255)));
-  }
-}
-
 /// Computes blocks of writes with the engine asked for and appends their rows to the text of the results.
 class simulation {
  public:
-  explicit simulation(const options& asked)
-      : asked_(asked), scale_(std::ldexp(1.0, fraction_bits(asked.device))) {
+  explicit simulation(const options& asked) : asked_(asked), fraction_(fraction_bits(asked.device)) {
     if (asked.engine == "bit") {
       engine_ = bit::make_quadratic(asked.device);
     } else if (asked.engine == "systemc") {
@@ -95,43 +53,30 @@ class simulation {
     }
   }
 
-  double scale() const { return scale_; }
+  int fraction() const { return fraction_; }
   bench::systemc_engine* systemc() const { return systemc_; }
   const clocked_engine* clocked() const { return clocked_; }
 
   void run(const batch& block, fmt::memory_buffer& text) {
     if (engine_ != nullptr) {
       engine_->run(block, raw_);
-      for (std::size_t i = 0; i < block.size(); ++i) {
-        append(block, i, real(raw_.brdf[i]), real(raw_.red[i]), real(raw_.green[i]), real(raw_.blue[i]),
-               text);
-      }
+      for (std::size_t i = 0; i < block.size(); ++i) append_row(text, block, raw_, i, fraction_);
     } else {
       for (std::size_t i = 0; i < block.size(); ++i) {
-        const double brdf = golden_brdf(block.n[i], block.cos_delta[i] / scale_);
-        append(block, i, brdf, brdf * block.red_ks[i], brdf * block.green_ks[i], brdf * block.blue_ks[i],
-               text);
+        append_row(text, block, golden_brdf(block.n[i], std::ldexp(block.cos_delta[i], -fraction_)), i,
+                   fraction_);
       }
     }
   }
 
  private:
-  double real(std::int64_t raw) const { return static_cast<double>(raw) / scale_; }
-
   double golden_brdf(double n, double c) const {
     const double brdf = golden::quadratic(line_of(asked_.device.coefficient), n, c);
     return asked_.device.as_published ? brdf : std::fmin(std::fmax(brdf, 0.0), 1.0);
   }
 
-  void append(const batch& block, std::size_t i, double brdf, double red, double green, double blue,
-              fmt::memory_buffer& text) const {
-    fmt::format_to(std::back_inserter(text), FMT_COMPILE("{},{},{},{},{},{},{},{},{}\n"), block.n[i],
-                   block.cos_delta[i] / scale_, block.red_ks[i], block.green_ks[i], block.blue_ks[i], brdf,
-                   red, green, blue);
-  }
-
   const options& asked_;
-  double scale_;
+  int fraction_;
   std::unique_ptr<engine> engine_;            // null: golden
   bench::systemc_engine* systemc_ = nullptr;  // engine_ if it is SystemC
   const clocked_engine* clocked_ = nullptr;   // engine_ if it has a clock
@@ -174,7 +119,7 @@ void run(const options& asked) {
   std::optional<output_file> waves;
   {
     std::optional<simulation> simulated;
-    csv_reader rows(asked.stimulus, "n,cos,r,g,b");
+    csv_reader rows(asked.stimulus, kStimulusHeader);
     output_file results(asked.results);
     simulated.emplace(asked);
     if (!asked.vcd.empty()) {
@@ -186,10 +131,10 @@ void run(const options& asked) {
     }
     batch block;
     fmt::memory_buffer text;
-    fmt::format_to(std::back_inserter(text), "n,cos,r,g,b,brdf,red,green,blue\n");
+    fmt::format_to(std::back_inserter(text), "{}\n", kResultsHeader);
     std::uint64_t count = 0;
     for (;;) {
-      read_block(rows, simulated->scale(), block);
+      read_block(rows, simulated->fraction(), block);
       if (block.size() == 0) break;
       simulated->run(block, text);
       count += block.size();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// All single-fault mutants of an exported device in one verilated module.
+/// Single-fault mutants of an exported device, a hundred in one verilated module.
 #pragma once
 
 #include <memory>
@@ -10,11 +10,13 @@ namespace blysk::cosim {
 
 class mutants : public verilator_engine {
  public:
-  /// \param number  1 .. how many there are; 0 is the device without a fault
+  /// \param number  of a mutant that the module has, counted from 1 over all modules; any other number selects the
+  ///                device without a fault
   virtual void select(unsigned number) = 0;
 };
 
-/// Its run() gives no brdf: yosys keeps no such net.
+/// Mutants 100 (Hundred - 1) + 1 .. 100 Hundred. Their run() gives no brdf: yosys keeps no such net.
+template <int Hundred>
 std::unique_ptr<mutants> make_mutants();
 
 }  // namespace blysk::cosim

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <map>
 #include <regex>
+#include <utility>
 
 #include "tb/bit/quadratic.h"
 #include "tb/cosim/mutants.h"
@@ -22,29 +23,42 @@ constexpr const char* kFates[] = {"killed by 20000 random writes", "killed by 20
 
 struct mutation {
   std::string block;  // instance in the device
-  std::string port;
   std::string what;
-  bool is_behind_data;
-
-  // A fault at a combinational cell, or behind a data register, leaves the outputs a function of what the data
-  // registers hold.
-  bool is_combinational() const {
-    return std::string_view("ABSY").find(port) != std::string_view::npos || is_behind_data;
-  }
+  // The outputs remain a function of what was written last: the fault sits at a combinational cell, or at the input
+  // or the output of a data register.
+  bool is_combinational;
 };
 
 mutation parse(const std::string& line) {
   static const std::regex cell(
-      R"(-mode (\w+) .*-cell (\S+) -port (\w+) -portbit (\d+)(?:.* -wire (\S+) -wirebit (\d+))?)");
+      R"(-mode (\w+) .*-cell (\S+) -port (\w+) -portbit (\d+)(?: -ctrlbit (\d+))?(?:.* -wire (\S+) -wirebit (\d+))?)");
   static const std::regex instance(R"(\$flatten\\(\w+)\.)");
   std::smatch found;
   if (!std::regex_search(line, found, cell)) throw std::runtime_error("not a mutation: " + line);
-  std::smatch block;
   const std::string name = found[2];
-  return {std::regex_search(name, block, instance) ? block[1].str() : "made by opt", found[3],
-          fmt::format("{} at {}[{}], wire {}[{}]", found[1].str(), found[3].str(), found[4].str(),
-                      found[5].str(), found[6].str()),
-          found[3] == "Q" && found[5].str().ends_with(".q_o")};
+  const std::string port = found[3];
+  const std::string controlling_bit = found[5];
+  const std::string wire = found[6];
+
+  std::smatch block;
+  std::string what = fmt::format("{} at {}[{}]", found[1].str(), port, found[4].str());
+  if (!controlling_bit.empty()) what += fmt::format(" by bit {}", controlling_bit);
+  if (!wire.empty()) what += fmt::format(", wire {}[{}]", wire, found[7].str());
+
+  const bool is_logic = port == "A" || port == "B" || port == "S" || port == "Y";
+  const bool is_wide =
+      found[4] != "0" || (!controlling_bit.empty() && controlling_bit != "0");  // no strobe's register
+  const bool is_data = (port == "D" && is_wide) || (port == "Q" && wire.ends_with(".q_o"));
+  return {std::regex_search(name, block, instance) ? block[1].str() : "made by opt", what,
+          is_logic || is_data};
+}
+
+/// The modules of all hundreds.
+template <std::size_t... Index>
+std::vector<std::unique_ptr<mutants>> make_all_mutants(std::index_sequence<Index...>) {
+  std::vector<std::unique_ptr<mutants>> result;
+  (result.push_back(make_mutants<static_cast<int>(Index) + 1>()), ...);
+  return result;
 }
 
 struct vectors {
@@ -61,17 +75,20 @@ class regression {
     model_ = bit::make_quadratic(options);
     for_random_inputs(fraction_, 20'000, 1, [&](const batch& in) { random_.push_back(with_results(in)); });
     prepare_colours();
-    strobes_ = play_strobes(0);
+    module_ = modules_.front().get();
+    module_->select(0);
+    strobes_ = play_strobes();
   }
 
   fate run(unsigned mutant, const mutation& what) {
-    mutants_->select(mutant);
+    module_ = modules_.at((mutant - 1) / 100).get();
+    module_->select(mutant);
     for (const vectors& each : random_) {
       if (differs(each)) return fate::killed_by_vectors;
     }
-    if (play_strobes(mutant) != strobes_) return fate::killed_by_strobes;
+    if (play_strobes() != strobes_) return fate::killed_by_strobes;
     if (killed_by_all_inputs()) return fate::killed_by_all_inputs;
-    return what.is_combinational() ? fate::equivalent : fate::alive;
+    return what.is_combinational ? fate::equivalent : fate::alive;
   }
 
  private:
@@ -82,7 +99,7 @@ class regression {
   }
 
   bool differs(const vectors& each) {
-    mutants_->run(each.in, got_);
+    module_->run(each.in, got_);
     return got_.red != each.expected.red || got_.green != each.expected.green ||
            got_.blue != each.expected.blue;
   }
@@ -120,8 +137,7 @@ class regression {
     if (in.size() > 0) colours_.push_back(with_results(in));
   }
 
-  std::vector<outputs> play_strobes(unsigned mutant) {
-    mutants_->select(mutant);
+  std::vector<outputs> play_strobes() {
     strobe_sequence strobes(fraction_);
     std::vector<outputs> played;
     pins values;
@@ -129,7 +145,7 @@ class regression {
       values = strobes.next(values);
       for (const bool clk : {false, true}) {
         values.clk = clk;
-        played.push_back(mutants_->apply(values));
+        played.push_back(module_->apply(values));
       }
     }
     return played;
@@ -137,7 +153,9 @@ class regression {
 
   int fraction_ = 0;
   std::unique_ptr<engine> model_;
-  std::unique_ptr<mutants> mutants_ = make_mutants();
+  std::vector<std::unique_ptr<mutants>> modules_ =
+      make_all_mutants(std::make_index_sequence<BLYSK_HUNDREDS>());
+  mutants* module_ = nullptr;  // the one with the mutant that runs
   std::vector<vectors> random_, colours_;
   std::vector<outputs> strobes_;
   results got_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// sweep FORMAT [COUNT]: the exported Verilog against the bit-accurate model at every input, or at COUNT random ones.
+// sweep_verilog FORMAT [COUNT]: the exported Verilog against the bit-accurate model at every input, or at COUNT random ones.
 // Exit 1 at the first difference.
 #include <fmt/format.h>
 
@@ -11,7 +11,7 @@
 int main(int argc, char** argv) {
   using namespace blysk;
   if (argc < 2 || argc > 3) {
-    fmt::print(stderr, "usage: sweep FORMAT [COUNT]\n");
+    fmt::print(stderr, "usage: sweep_verilog FORMAT [COUNT]\n");
     return 2;
   }
   device_options options;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// vectors FORMAT COUNT: random writes and what the bit-accurate model makes of them, a line for each
+// replay_vectors FORMAT COUNT: random writes and what the bit-accurate model makes of them, a line for each
 // "n cos r g b red green blue", all raw integers.
 #include "tb/cosim/vectors.h"
 
@@ -9,7 +9,7 @@
 
 int main(int argc, char** argv) {
   if (argc != 3) {
-    fmt::print(stderr, "usage: vectors FORMAT COUNT\n");
+    fmt::print(stderr, "usage: replay_vectors FORMAT COUNT\n");
     return 2;
   }
   blysk::device_options options;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// coverage FILE.dat: line and toggle coverage of the exported q8 device under what the regression sends: all n at all
+// coverage_verilog FILE.dat: line and toggle coverage of the exported q8 device under what the regression sends: all n at all
 // cosines, and strobes in every order.
 #include <cstdio>
 
@@ -20,7 +20,7 @@ struct device {
 int main(int argc, char** argv) {
   using namespace blysk;
   if (argc != 2) {
-    std::fputs("usage: coverage FILE.dat\n", stderr);
+    std::fputs("usage: coverage_verilog FILE.dat\n", stderr);
     return 2;
   }
   cosim::verilated_quadratic<device> verilog;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// errors TABLE.csv: the device's BRDF at every cosine code against c^n, for each format and exponent.
+// device_errors TABLE.csv: the device's BRDF at every cosine code against c^n, for each format and exponent.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -58,7 +58,7 @@ std::string row(const std::string& format, engine& model, int fraction, unsigned
 int main(int argc, char** argv) {
   using namespace blysk;
   if (argc != 2) {
-    fmt::print(stderr, "usage: errors TABLE.csv\n");
+    fmt::print(stderr, "usage: device_errors TABLE.csv\n");
     return 2;
   }
   std::string table = "format,n,max_abs_err,max_rel_err_060,max_rel_err_056,max_rel_err_inflection,rms_err\n";
