@@ -13,9 +13,9 @@ namespace blysk::bit {
 
 /// The first of int32_t, uint32_t and int64_t that holds all raw values of format Q.
 template <class Q>
-using machine_int = std::conditional_t<
-    (Q::width + (Q::is_signed ? 0 : 1) <= 32), std::int32_t,
-    std::conditional_t<(Q::width <= 32 && !Q::is_signed), std::uint32_t, std::int64_t>>;
+using machine_int =
+    std::conditional_t<(Q::width + (Q::is_signed ? 0 : 1) <= 32), std::int32_t,
+                       std::conditional_t<(Q::width <= 32 && !Q::is_signed), std::uint32_t, std::int64_t>>;
 
 /// Columns of writes and of their results, all of the same length and none overlapping another.
 /// Raw holds F::out: 32 bits with the clamp.

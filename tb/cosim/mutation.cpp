@@ -23,6 +23,7 @@ constexpr const char* kFates[] = {"killed by 20000 random writes", "killed by 20
 
 struct mutation {
   std::string block;  // instance in the device
+  std::string place;  // port of its cell and wire there
   std::string what;
   // The outputs remain a function of what was written last: the fault sits at a combinational cell, or at the input
   // or the output of a data register.
@@ -169,10 +170,12 @@ int run(const std::string& format, const std::string& list, const std::string& t
   regression tests(format);
   std::map<fate, std::size_t> counts;
   std::string survivors;
+  std::map<std::string, std::size_t> equivalent;  // by place
   progress bar("mutants", mutations.size());
   for (std::size_t i = 0; i < mutations.size(); ++i) {
     const fate end = tests.run(static_cast<unsigned>(i + 1), mutations[i]);
     ++counts[end];
+    if (end == fate::equivalent) ++equivalent[mutations[i].block + " | " + mutations[i].place];
     if (end == fate::equivalent || end == fate::alive) {
       survivors += fmt::format("| {} | {} | {} | {} |\n", i + 1, mutations[i].block, mutations[i].what,
                                kFates[static_cast<int>(end)]);
@@ -185,6 +188,8 @@ int run(const std::string& format, const std::string& list, const std::string& t
                           fate::equivalent, fate::alive}) {
     text += fmt::format("| {} | {} |\n", kFates[static_cast<int>(each)], counts[each]);
   }
+  if (!equivalent.empty()) text += "\n| equivalent, block | port | mutants |\n|---|---|---|\n";
+  for (const auto& [place, count] : equivalent) text += fmt::format("| {} | {} |\n", place, count);
   if (!survivors.empty()) text += "\n| mutant | block | fault | |\n|---|---|---|---|\n" + survivors;
   fmt::print("{}", text);
   if (!table.empty()) std::ofstream(table) << text;

@@ -15,10 +15,14 @@ class strobe_sequence {
  public:
   explicit strobe_sequence(int fraction) : codes_((std::uint64_t{1} << fraction) + 1) {}
 
-  /// Sequences of 16 cycles keep to one pattern; every 64th starts with a reset, in whatever the registers do.
+  /// Sequences of 16 cycles keep to one pattern; every eighth starts with a reset, in whatever the registers do, and
+  /// leaves one register unwritten or none, so that its reset value is seen.
   pins next(pins now) {
-    if (cycle_ % 16 == 0) which_ = static_cast<pattern>(random_() % 4);
-    now.rst_n = cycle_ % (64 * 16) >= 2;
+    if (cycle_ % 16 == 0) {
+      which_ = static_cast<pattern>(random_() % 4);
+      unwritten_ = cycle_ % (8 * 16) == 0 ? static_cast<int>(random_() % 6) : 0;
+    }
+    now.rst_n = cycle_ % (8 * 16) >= 2;
     now.n_i = exponent();
     now.cos_i = cosine();
     now.r_i = byte();
@@ -38,11 +42,11 @@ class strobe_sequence {
       }
       return bit();
     };
-    now.cos_we_i = strobe(true);
-    now.n_we_i = strobe(false);
-    now.r_we_i = strobe(false);
-    now.g_we_i = strobe(false);
-    now.b_we_i = strobe(false);
+    now.n_we_i = strobe(false) && unwritten_ != 1;
+    now.cos_we_i = strobe(true) && unwritten_ != 2;
+    now.r_we_i = strobe(false) && unwritten_ != 3;
+    now.g_we_i = strobe(false) && unwritten_ != 4;
+    now.b_we_i = strobe(false) && unwritten_ != 5;
     ++cycle_;
     return now;
   }
@@ -67,6 +71,7 @@ class strobe_sequence {
   std::uint64_t codes_;
   std::uint64_t cycle_ = 0;
   pattern which_ = pattern::any;
+  int unwritten_ = 0;  // number of the register, 1..5
 };
 
 }  // namespace blysk::cosim

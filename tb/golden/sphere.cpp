@@ -6,15 +6,15 @@
 
 namespace blysk::golden {
 
-std::vector<vec3<double>> sphere_normals(const sphere_scene& scene) {
-  std::vector<vec3<double>> result;
+std::vector<sphere_pixel> sphere_pixels(const sphere_scene& scene) {
+  std::vector<sphere_pixel> result;
   const auto coordinate = [&](int pixel) { return ((2 * pixel + 1.0) / scene.side - 1) / scene.radius; };
   for (int row = 0; row < scene.side; ++row) {
     for (int column = 0; column < scene.side; ++column) {
       const double x = coordinate(column);
       const double y = -coordinate(row);
       const double z2 = 1 - x * x - y * y;
-      if (z2 > 0) result.push_back({x, y, std::sqrt(z2)});
+      if (z2 > 0) result.push_back({column, row, {x, y, std::sqrt(z2)}});
     }
   }
   return result;
@@ -25,7 +25,7 @@ std::vector<double> shade_sphere(const sphere_scene& scene, const illumination<d
   const vec3<double> half_vec = half_vector(scene.light, scene.view);
   return with_lobe(which, n, [&](const auto& f) {
     std::vector<double> picture;
-    for (const auto& normal : sphere_normals(scene)) {
+    for (const auto& [column, row, normal] : sphere_pixels(scene)) {
       const bool lit = faces_both(normal, scene.light, scene.view);
       const double highlight = lit ? std::max(0.0, f(clamped_cosine(normal, half_vec))) : 0;
       picture.push_back(lambert(i, normal, scene.light) + i.point_light * i.ks * highlight);

@@ -17,8 +17,14 @@ struct sphere_scene {
   vec3<double> light = normalised(vec3<double>{0.4, 0.5, 0.75});
 };
 
-/// Normals at the centres of the pixels that the sphere covers, row by row.
-std::vector<vec3<double>> sphere_normals(const sphere_scene& scene);
+/// A pixel that the sphere covers, and the normal at its centre.
+struct sphere_pixel {
+  int x, y;
+  vec3<double> normal;
+};
+
+/// The pixels that the sphere covers, row by row from the top.
+std::vector<sphere_pixel> sphere_pixels(const sphere_scene& scene);
 
 /// Grey value of every such pixel, half_vector_shading with negative lobes set to zero; white light, so that
 /// R = G = B.

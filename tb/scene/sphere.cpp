@@ -50,16 +50,10 @@ struct sample {
 std::vector<sample> sample_sphere(const golden::sphere_scene& ball) {
   const auto half_vec = golden::half_vector(ball.light, ball.view);
   std::vector<sample> samples;
-  for (int y = 0; y < ball.side; ++y) {
-    for (int x = 0; x < ball.side; ++x) {
-      const double u = ((x + 0.5) / ball.side * 2 - 1) / ball.radius;
-      const double v = (1 - (y + 0.5) / ball.side * 2) / ball.radius;
-      if (u * u + v * v >= 1) continue;
-      const golden::vec3<double> normal{u, v, std::sqrt(1 - u * u - v * v)};
-      const bool lit = golden::faces_both(normal, ball.light, ball.view);
-      samples.push_back({x, y, golden::clamped_cosine(normal, ball.light),
-                         lit ? golden::clamped_cosine(normal, half_vec) : 0.0});
-    }
+  for (const auto& [x, y, normal] : golden::sphere_pixels(ball)) {
+    const bool lit = golden::faces_both(normal, ball.light, ball.view);
+    samples.push_back({x, y, golden::clamped_cosine(normal, ball.light),
+                       lit ? golden::clamped_cosine(normal, half_vec) : 0.0});
   }
   return samples;
 }
