@@ -50,8 +50,8 @@ mutation parse(const std::string& line) {
   const bool is_wide =
       found[4] != "0" || (!controlling_bit.empty() && controlling_bit != "0");  // no strobe's register
   const bool is_data = (port == "D" && is_wide) || (port == "Q" && wire.ends_with(".q_o"));
-  return {std::regex_search(name, block, instance) ? block[1].str() : "made by opt", what,
-          is_logic || is_data};
+  return {std::regex_search(name, block, instance) ? block[1].str() : "made by opt",
+          wire.empty() ? port : port + ", wire " + wire, what, is_logic || is_data};
 }
 
 /// The modules of all hundreds.
