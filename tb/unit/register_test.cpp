@@ -18,11 +18,16 @@ struct registers {
     trailing.clk(clk), trailing.rst_n(rst_n), trailing.d_i(d), trailing.we_i(we), trailing.q_o(trailing_q);
   }
 
-  void clock(bool reset, bool strobe, unsigned value) {
+  /// New inputs while clk is low.
+  void present(bool reset, bool strobe, unsigned value) {
     rst_n.write(!reset);
     we.write(strobe);
     d.write(value);
     sc_core::sc_start(1, sc_core::SC_NS);
+  }
+
+  void clock(bool reset, bool strobe, unsigned value) {
+    present(reset, strobe, value);
     clk.write(true);
     sc_core::sc_start(1, sc_core::SC_NS);
     clk.write(false);
@@ -44,9 +49,13 @@ TEST_CASE("registers follow their next-state tables", "[unit][reg_level][reg_tra
   for (unsigned sequence = 0; sequence < 16 * 16 * 16; ++sequence) {
     for (unsigned step = 0; step < 3; ++step) {
       const unsigned input = sequence >> (4 * step) & 15;
-      const bool reset = (input & 12) == 12;  // one input in four
-      const bool strobe = (input & 4) != 0 && !reset;
+      const bool reset = (input & 8) != 0;
+      const bool strobe = (input & 4) != 0;
       const unsigned value = input & 3;
+      CAPTURE(sequence, step, reset, strobe, value);
+      bench.present(reset, strobe, value);
+      REQUIRE(bench.level_q.read() == level);  // both are synchronous, their reset too
+      REQUIRE(bench.trailing_q.read() == trailing);
       bench.clock(reset, strobe, value);
       if (reset) {
         level = trailing = 0;
@@ -56,7 +65,6 @@ TEST_CASE("registers follow their next-state tables", "[unit][reg_level][reg_tra
         if (before && !strobe) trailing = value;
         before = strobe;
       }
-      CAPTURE(sequence, step, reset, strobe, value);
       REQUIRE(bench.level_q.read() == level);
       REQUIRE(bench.trailing_q.read() == trailing);
     }
@@ -64,24 +72,29 @@ TEST_CASE("registers follow their next-state tables", "[unit][reg_level][reg_tra
 }
 
 TEST_CASE("registers see nothing between two rising edges of clk", "[unit][reg_level][reg_trailing]") {
+  const bool strobe = GENERATE(false, true);  // as the edges of clk see it; what pulses between them is its opposite
   bench.clock(true, false, 0);
   bench.clock(false, true, 1);
   bench.clock(false, false, 2);  // level holds 1, trailing took 2
+  if (strobe) bench.clock(false, true, 1);
   for (const bool clock_high : {false, true}) {
-    for (const bool pulse : {true, false, true, false}) {
+    for (const bool opposite : {true, false, true, false}) {
       bench.d.write(3);
-      bench.we.write(pulse);
+      bench.we.write(strobe != opposite);
+      bench.rst_n.write(!opposite);
       sc_core::sc_start(1, sc_core::SC_NS);
       CHECK(bench.level_q.read() == 1u);
       CHECK(bench.trailing_q.read() == 2u);
     }
+    bench.d.write(1);
+    sc_core::sc_start(1, sc_core::SC_NS);
     if (!clock_high) {
       bench.clk.write(true);
       sc_core::sc_start(1, sc_core::SC_NS);
     }
   }
   bench.clk.write(false);
-  bench.clock(false, false, 3);
+  bench.clock(false, strobe, 1);
   CHECK(bench.level_q.read() == 1u);
   CHECK(bench.trailing_q.read() == 2u);
 }

@@ -192,18 +192,22 @@ TEST_CASE("29 is 17, and at its leading edge the outputs belong to the write bef
 TEST_CASE("pulses between two rising edges of clk write nothing", "[unit][strobe]") {
   reset();
   load(kFirst);
-  const double quarter = bench::kClockPeriodNs / 4;
+  const bool held = GENERATE(false, true);  // 17 as the edges of clk see it
+  put(kFirst, {.cos_delta = held});
+  cycle();
   for (int i = 0; i < 3; ++i) {
-    // Falling edge + 1/4: up, + 2/4: rising edge of clk; so up at 1/8 and down at 2/8 is not seen.
-    put(kSecond, {true, true, true, true, true});
-    sc_core::sc_start(quarter, sc_core::SC_NS);
-    put(kSecond, {});
-    sc_core::sc_start(quarter * 2, sc_core::SC_NS);  // past the rising edge
-    put(kSecond, {true, true, true, true, true});
-    sc_core::sc_start(quarter / 2, sc_core::SC_NS);
-    put(kSecond, {});
-    sc_core::sc_start(quarter / 2, sc_core::SC_NS);
-    CHECK(actual() == expected(kFirst));
+    // Eighths of a period from one falling edge of clk to the next; the rising edge begins the fifth.
+    for (const bool pulse : {true, false, true, false, false, true, false, true}) {
+      if (pulse) {
+        put(kSecond, {true, !held, true, true, true});
+      } else {
+        put(kFirst, {.cos_delta = held});
+      }
+      sc_core::sc_start(bench::kClockPeriodNs / 8, sc_core::SC_NS);
+      CHECK(pins.device.n.read() == kFirst.n);
+      CHECK(pins.device.cos_delta.read() == kFirst.cos_delta);
+      CHECK(actual() == expected(kFirst));
+    }
   }
 }
 
@@ -220,7 +224,8 @@ TEST_CASE("reset in mid-operation clears every register and any pending write", 
   put(kSecond, {});
   cycle();
   CHECK(actual() == outputs{0, 0, 0});
-  CHECK(pins.device.cos_delta.read() == 0u);  // 17 fell, but its edge was before the reset
+  CHECK(pins.device.n.read() == 0u);
+  CHECK(pins.device.cos_delta.read() == 0u);  // 17 fell, but its leading edge was before the reset
   load(kSecond);
   CHECK(actual() == expected(kSecond));
 }
@@ -254,10 +259,14 @@ TEST_CASE("random strobes do what the patent's words say", "[unit][strobe]") {
       if (strobe17 && !s.cos_delta) held.cos_delta = data.cos_delta;
       strobe17 = s.cos_delta;
     }
-    if (held.n == 0) continue;  // no legal exponent was written since the reset
     CAPTURE(i, held.n, held.cos_delta, held.red);
-    REQUIRE(actual() == expected(held));
+    REQUIRE(pins.device.n.read() == held.n);
+    REQUIRE(pins.device.cos_delta.read() == held.cos_delta);
+    REQUIRE(pins.device.r_ks.read() == held.red);
+    REQUIRE(pins.device.g_ks.read() == held.green);
+    REQUIRE(pins.device.b_ks.read() == held.blue);
     REQUIRE(pins.valid29.read() == s.cos_delta);
+    if (held.n != 0) REQUIRE(actual() == expected(held));  // 0, after a reset, is no legal exponent
   }
 }
 
