@@ -8,12 +8,22 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 say() { printf 'blysk %s: %s\n' "${0##*/}" "$*" >&2; }
 die() { say "$@"; exit 1; }
 
+# as_owner ARGUMENT...: under sudo, starts the script again as the user who called it. Only installing packages is
+# root's work; the tree and what is made in it stay its owner's.
+as_owner() {
+  [ "$EUID" = 0 ] && [ "${SUDO_UID:-0}" != 0 ] || return 0
+  exec sudo -H -u "#$SUDO_UID" -- "$(readlink -f "$0")" "$@"
+}
+
 # logged NAME COMMAND...: runs COMMAND with its output in build/logs/NAME.log. On a terminal
 # its newest line is shown; when it fails, the log's tail is.
 logged() {
   local log=build/logs/$1.log status=0
   shift
-  mkdir -p "$root/build/logs"
+  # A log that another user left is not this run's: out of the way with it, or it would be shown as such.
+  if ! mkdir -p "$root/build/logs" || ! rm -f "$root/$log" || ! : >"$root/$log"; then
+    die "cannot write $log; an earlier call, as root, may have made build/"
+  fi
   if [ -t 2 ]; then
     "$@" 2>&1 </dev/null | tee "$root/$log" | show_newest_line || status=$?
   else
@@ -33,11 +43,16 @@ show_newest_line() {
 
 wants_help() { [ "${1:-}" = --help ] || [ "${1:-}" = -h ]; }
 
-# build [TARGET...]: configures build/ where that was not done yet, and builds the targets, or all.
+# build [TARGET...]: builds the targets, or all. Configures build/ first where that was not done yet, or with another
+# SystemC than the environment names now.
 build() {
-  if [ ! -f "$root/build/build.ninja" ]; then
+  local systemc="SystemCLanguage_DIR=${SystemCLanguage_DIR:-} SYSTEMC_HOME=${SYSTEMC_HOME:-}"
+  local configured=$root/build/systemc-of-environment
+  if [ ! -f "$root/build/build.ninja" ] || [ "$(cat "$configured" 2>/dev/null)" != "$systemc" ]; then
     say "configuring build/"
-    logged configure cmake -S "$root" --preset release || exit 1
+    rm -f "$configured"
+    logged configure cmake -S "$root" --preset release -U SystemCLanguage_DIR -U SYSTEMC_HOME || exit 1
+    echo "$systemc" >"$configured"
   fi
   say "building"
   logged build cmake --build "$root/build" ${1:+--target "$@"} || exit 1

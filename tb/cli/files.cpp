@@ -27,13 +27,14 @@ std::string shown(std::string_view text) {
 
 template <class Visitor>
 void for_each_field(std::string_view text, Visitor&& visitor) {
-  std::size_t begin = 0;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    if (text[i] != ',') continue;
-    visitor(trim(text.substr(begin, i - begin)));
-    begin = i + 1;
+  const char* begin = text.data();
+  const char* const end = begin + text.size();
+  for (const char* c = begin; c != end; ++c) {
+    if (*c != ',') continue;
+    visitor(trim({begin, c}));
+    begin = c + 1;
   }
-  visitor(trim(text.substr(begin)));
+  visitor(trim({begin, end}));
 }
 
 constexpr std::size_t kBufferBytes = std::size_t{1} << 18;

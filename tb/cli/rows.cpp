@@ -3,6 +3,8 @@
 
 #include <fmt/compile.h>
 
+#include <array>
+#include <bit>
 #include <charconv>
 #include <cmath>
 
@@ -30,23 +32,55 @@ std::uint32_t parse_cosine(const csv_reader& rows, std::size_t column, double sc
   return static_cast<std::uint32_t>(std::floor(value * scale + 0.5));
 }
 
-void append_text(fmt::memory_buffer& text, const char* data, std::size_t size) {
-  text.append(data, data + size);
+/// A row is written here and appended as a whole. The longest: 5 integers of up to 4 digits, cos and the results of up to
+/// 6 integer and 24 fraction digits with sign and point, or 3 + 17 digits with an exponent, and the separators.
+constexpr std::size_t kLongestRow = 256;
+
+char* put_integer(char* to, std::uint64_t value) {
+  return std::to_chars(to, to + 20, value).ptr;
 }
 
-void append_integer(fmt::memory_buffer& text, std::uint64_t value) {
-  const fmt::format_int digits(value);
-  append_text(text, digits.data(), digits.size());
+/// The eight decimal digits of value < 10^8, the first in the lowest byte, each 0..9: halves are divided by 10^4, 10^2
+/// and 10 side by side.
+constexpr std::uint64_t eight_digits(std::uint64_t value) {
+  const std::uint64_t fours = (value / 10000) | (value % 10000) << 32;
+  const std::uint64_t hundreds = (fours * 10486 >> 20) & 0x7f'0000'007f;  // / 100, exact below 10^4
+  const std::uint64_t twos = hundreds | (fours - 100 * hundreds) << 16;
+  const std::uint64_t tens = (twos * 103 >> 10) & 0x0f'000f'000f'000f;  // / 10, exact below 100
+  return tens | (twos - 10 * tens) << 8;
 }
+static_assert(eight_digits(12345678) == 0x08'07'06'05'04'03'02'01 &&
+              eight_digits(99990009) == 0x09'00'00'00'09'09'09'09);
 
-void append_write(fmt::memory_buffer& text, const batch& block, std::size_t i, int fraction) {
-  append_integer(text, block.n[i]);
-  text.push_back(',');
-  append_fixed(text, block.cos_delta[i], fraction);
-  for (const std::uint8_t colour : {block.red_ks[i], block.green_ks[i], block.blue_ks[i]}) {
-    text.push_back(',');
-    append_integer(text, colour);
+/// raw 2^-fraction as a decimal number, exact, without trailing zeros; fraction 0..24.
+char* put_fixed(char* to, std::int64_t raw, int fraction) {
+  if (raw < 0) *to++ = '-';
+  const auto magnitude = static_cast<std::uint64_t>(raw < 0 ? -raw : raw);
+  to = put_integer(to, magnitude >> fraction);
+  const std::uint64_t mask = (std::uint64_t{1} << fraction) - 1;
+  std::uint64_t rest = magnitude & mask;
+  if (rest == 0) return to;
+  *to++ = '.';
+  for (;;) {
+    rest *= 100'000'000;  // eight digits at a time; 2^24 of them fit 64 bits
+    const std::uint64_t digits = eight_digits(rest >> fraction);
+    const std::uint64_t text = digits + 0x30'30'30'30'30'30'30'30;
+    for (int i = 0; i < 8; ++i) to[i] = static_cast<char>(text >> (8 * i));
+    rest &= mask;
+    if (rest == 0) return to + (64 - std::countl_zero(digits) + 7) / 8;  // the last digit is not 0
+    to += 8;
   }
+}
+
+char* put_write(char* to, const batch& block, std::size_t i, int fraction) {
+  to = put_integer(to, block.n[i]);
+  *to++ = ',';
+  to = put_fixed(to, block.cos_delta[i], fraction);
+  for (const std::uint8_t colour : {block.red_ks[i], block.green_ks[i], block.blue_ks[i]}) {
+    *to++ = ',';
+    to = put_integer(to, colour);
+  }
+  return to;
 }
 
 }  // namespace
@@ -63,38 +97,21 @@ void read_block(csv_reader& rows, int fraction, batch& block) {
   }
 }
 
-void append_fixed(fmt::memory_buffer& text, std::int64_t raw, int fraction) {
-  if (raw < 0) text.push_back('-');
-  const auto magnitude = static_cast<std::uint64_t>(raw < 0 ? -raw : raw);
-  append_integer(text, magnitude >> fraction);
-  const std::uint64_t mask = (std::uint64_t{1} << fraction) - 1;
-  std::uint64_t rest = magnitude & mask;
-  if (rest == 0) return;
-  text.push_back('.');
-  constexpr std::uint64_t kGroup = 100'000'000;  // eight digits at a time; 2^24 of them fit 64 bits
-  while (rest != 0) {
-    rest *= kGroup;
-    const fmt::format_int digits(kGroup + (rest >> fraction));  // the leading one keeps the zeros
-    append_text(text, digits.data() + 1, digits.size() - 1);
-    rest &= mask;
-  }
-  std::size_t size = text.size();
-  while (text[size - 1] == '0') --size;
-  text.resize(size);
-}
-
 void append_row(fmt::memory_buffer& text, const batch& block, const results& raw, std::size_t i,
                 int fraction) {
-  append_write(text, block, i, fraction);
+  std::array<char, kLongestRow> row;
+  char* end = put_write(row.data(), block, i, fraction);
   for (const std::int64_t value : {raw.brdf[i], raw.red[i], raw.green[i], raw.blue[i]}) {
-    text.push_back(',');
-    append_fixed(text, value, fraction);
+    *end++ = ',';
+    end = put_fixed(end, value, fraction);
   }
-  text.push_back('\n');
+  *end++ = '\n';
+  text.append(row.data(), end);
 }
 
 void append_row(fmt::memory_buffer& text, const batch& block, double brdf, std::size_t i, int fraction) {
-  append_write(text, block, i, fraction);
+  std::array<char, kLongestRow> row;
+  text.append(row.data(), put_write(row.data(), block, i, fraction));
   fmt::format_to(std::back_inserter(text), FMT_COMPILE(",{},{},{},{}\n"), brdf, brdf * block.red_ks[i],
                  brdf * block.green_ks[i], brdf * block.blue_ks[i]);
 }

@@ -17,11 +17,8 @@ inline constexpr std::size_t kRowsPerBlock = 8192;
 /// \throws usage_error if a field is no number or outside its range
 void read_block(csv_reader& rows, int fraction, batch& block);
 
-/// Appends raw 2^-fraction as a decimal number, exact, without trailing zeros.
+/// Appends row i: the write and its results, all of them with `fraction` fraction bits, exact, without trailing zeros.
 /// \param fraction  0..24
-void append_fixed(fmt::memory_buffer& text, std::int64_t raw, int fraction);
-
-/// Appends row i: the write and its results, all of them with `fraction` fraction bits.
 void append_row(fmt::memory_buffer& text, const batch& block, const results& raw, std::size_t i,
                 int fraction);
 

@@ -72,7 +72,8 @@ TEST_CASE("registers follow their next-state tables", "[unit][reg_level][reg_tra
 }
 
 TEST_CASE("registers see nothing between two rising edges of clk", "[unit][reg_level][reg_trailing]") {
-  const bool strobe = GENERATE(false, true);  // as the edges of clk see it; what pulses between them is its opposite
+  const bool strobe =
+      GENERATE(false, true);  // as the edges of clk see it; what pulses between them is its opposite
   bench.clock(true, false, 0);
   bench.clock(false, true, 1);
   bench.clock(false, false, 2);  // level holds 1, trailing took 2
