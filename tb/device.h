@@ -19,36 +19,39 @@ struct device_options {
   bool as_published = false;  ///< keep the parabola's negative lobe (spec erratum E4)
 };
 
-inline constexpr std::string_view device_names[] = {"quadratic"};
+inline constexpr std::string_view device_names[] = {
+#define BLYSK_DEVICE(identifier, name) name,
+#include "tb/devices.def"
+#undef BLYSK_DEVICE
+};
 inline constexpr std::string_view format_names[] = {"q8",  "q10", "q12", "q14", "q16",
                                                     "q18", "q20", "q22", "q24"};
 inline constexpr std::string_view coefficient_names[] = {"published", "derived"};
 
-namespace detail {
-
-template <class Q, class Visitor>
-auto visit_lobe(const device_options& options, Visitor&& visitor) {
-  return options.as_published ? visitor.template operator()<Q, lobe::as_published>()
-                              : visitor.template operator()<Q, lobe::clamped>();
+/// Calls visitor.operator()<Q>() with the named format of the options.
+/// \throws std::invalid_argument for a format that does not exist
+template <class Visitor>
+auto visit_format(const device_options& options, Visitor&& visitor) {
+  if (options.format == "q8") return visitor.template operator()<q8>();
+  if (options.format == "q10") return visitor.template operator()<q10>();
+  if (options.format == "q12") return visitor.template operator()<q12>();
+  if (options.format == "q14") return visitor.template operator()<q14>();
+  if (options.format == "q16") return visitor.template operator()<q16>();
+  if (options.format == "q18") return visitor.template operator()<q18>();
+  if (options.format == "q20") return visitor.template operator()<q20>();
+  if (options.format == "q22") return visitor.template operator()<q22>();
+  if (options.format == "q24") return visitor.template operator()<q24>();
+  throw std::invalid_argument("format " + options.format + " does not exist, expected q8, q10, ... q24");
 }
-
-}  // namespace detail
 
 /// Calls visitor.operator()<Q, Lobe>() with the named format and the lobe of the options.
 /// \throws std::invalid_argument for a format that does not exist
 template <class Visitor>
 auto visit_formats(const device_options& options, Visitor&& visitor) {
-  using detail::visit_lobe;
-  if (options.format == "q8") return visit_lobe<q8>(options, visitor);
-  if (options.format == "q10") return visit_lobe<q10>(options, visitor);
-  if (options.format == "q12") return visit_lobe<q12>(options, visitor);
-  if (options.format == "q14") return visit_lobe<q14>(options, visitor);
-  if (options.format == "q16") return visit_lobe<q16>(options, visitor);
-  if (options.format == "q18") return visit_lobe<q18>(options, visitor);
-  if (options.format == "q20") return visit_lobe<q20>(options, visitor);
-  if (options.format == "q22") return visit_lobe<q22>(options, visitor);
-  if (options.format == "q24") return visit_lobe<q24>(options, visitor);
-  throw std::invalid_argument("format " + options.format + " does not exist, expected q8, q10, ... q24");
+  return visit_format(options, [&]<class Q>() {
+    return options.as_published ? visitor.template operator()<Q, lobe::as_published>()
+                                : visitor.template operator()<Q, lobe::clamped>();
+  });
 }
 
 /// Fraction bits of cos(delta), of the BRDF and of the colours that leave the device.

@@ -33,7 +33,8 @@ struct add : sc_core::sc_module {
 
   template <class Reader>
   void describe(Reader& reader) const {
-    reader.drive(s_o, law(reader.read(a_i), reader.read(b_i), reader.read(carry_i)));
+    reader.block("add", "Adder: s_o = a_i + b_i + carry_i, the carry being one ulp of s_o.");
+    reader.drive(s_o, law(reader.read(a_i, A{}), reader.read(b_i, B{}), reader.read(carry_i)), S{});
   }
 
  private:

@@ -21,7 +21,8 @@ struct constant : sc_core::sc_module {
 
   template <class Reader>
   void describe(Reader& reader) const {
-    reader.drive(y_o, reader.parameter("RAW", raw_));
+    reader.block("constant", "Constant: y_o = RAW, the integer on the wires.");
+    reader.drive(y_o, reader.parameter("RAW", raw_, Q{}), Q{});
   }
 
  private:

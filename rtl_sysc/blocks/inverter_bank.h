@@ -31,7 +31,8 @@ struct inverter_bank : sc_core::sc_module {
 
   template <class Reader>
   void describe(Reader& reader) const {
-    reader.drive(y_o, law(reader.read(a_i)));
+    reader.block("inverter_bank", "Inverter bank: y_o = -a_i - 1 ulp of y_o, the ones' complement.");
+    reader.drive(y_o, law(reader.read(a_i, A{})), Y{});
   }
 
  private:

@@ -41,7 +41,12 @@ struct quantise : sc_core::sc_module {
 
   template <class Reader>
   void describe(Reader& reader) const {
-    reader.drive(y_o, law(reader.read(a_i)));
+    if constexpr (Overflow == overflow::clamp) {
+      reader.block("quantise", "Rounds a_i to nearest, ties up, and clamps it to the codes of y_o.", "clamp");
+    } else {
+      reader.block("quantise", "Rounds a_i to nearest, ties up.");
+    }
+    reader.drive(y_o, law(reader.read(a_i, A{})), Y{});
   }
 
  private:

@@ -26,7 +26,8 @@ struct reg_level : sc_core::sc_module {
 
   template <class Reader>
   void describe(Reader& reader) const {
-    reader.reg(clk, rst_n, reader.read(we_i), reader.read(d_i), q_o);
+    reader.block("reg_level", "Register: takes d_i while we_i is one.");
+    reader.reg(clk, rst_n, reader.read(we_i), reader.read(d_i, Q{}), q_o, Q{});
   }
 
  private:

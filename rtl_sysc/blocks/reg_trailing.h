@@ -33,9 +33,10 @@ struct reg_trailing : sc_core::sc_module {
 
   template <class Reader>
   void describe(Reader& reader) const {
+    reader.block("reg_trailing", "Register: takes d_i by the trailing edge of we_i, as clk samples it.");
     const auto we = reader.read(we_i);
     reader.reg(clk, rst_n, reader.constant(1), we, we_q);
-    reader.reg(clk, rst_n, law(we, reader.read(we_q)), reader.read(d_i), q_o);
+    reader.reg(clk, rst_n, law(we, reader.read(we_q)), reader.read(d_i, Q{}), q_o, Q{});
   }
 
  private:

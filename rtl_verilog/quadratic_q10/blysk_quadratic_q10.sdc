@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-# 10 ns stands for the board's clock. No path is false: rst_n is synchronous, and what enters or leaves does so
-# within one period.
-create_clock -name clk -period 10 [get_ports clk]
-set_input_delay -clock clk 0 [remove_from_collection [all_inputs] [get_ports clk]]
-set_output_delay -clock clk 0 [all_outputs]
+# clk_period, in ns, is an example: set your clock's. Delays of 0 leave inputs and outputs the whole period; set
+# what your board takes of it. No path is false: reset is synchronous.
+set clk_period 10.0
+create_clock -name clk -period $clk_period [get_ports clk]
+set_input_delay 0 -clock clk [get_ports {rst_n n_i n_we_i cos_i cos_we_i r_i r_we_i g_i g_we_i b_i b_we_i}]
+set_output_delay 0 -clock clk [get_ports {r_o g_o b_o valid_o}]

@@ -159,16 +159,84 @@ void output_file::write(std::string_view text) {
   line_ += static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
 }
 
-void output_file::commit() {
+void output_file::close() {
   errno = 0;
-  if (std::fclose(file_.release()) != 0) {
+  if (file_ && std::fclose(file_.release()) != 0) {
     throw file_error(path_, line_, fmt::format("cannot be written ({})", system_reason()));
   }
+}
+
+void output_file::commit() {
+  close();
   if (temporary_.empty()) return;
   if (std::rename(temporary_.c_str(), path_.c_str()) != 0) {
     throw file_error(path_, 0, fmt::format("cannot be written ({})", system_reason()));
   }
   temporary_.clear();
+}
+
+namespace {
+
+/// A directory with those above it. What it made is removed again while it is empty.
+class directory {
+ public:
+  explicit directory(const std::string& path) {
+    std::error_code error;
+    std::filesystem::path above = std::filesystem::absolute(path, error);
+    if (!above.has_filename()) above = above.parent_path();  // a slash at its end
+    std::vector<std::filesystem::path> missing;
+    for (; !error && !std::filesystem::exists(above, error) && !error; above = above.parent_path())
+      missing.push_back(above);
+    if (!error && !std::filesystem::is_directory(above, error))
+      error = std::make_error_code(std::errc::not_a_directory);
+    while (!error && !missing.empty()) {
+      if (std::filesystem::create_directory(missing.back(), error)) made_.push_back(missing.back());
+      missing.pop_back();
+    }
+    if (error) {
+      remove();
+      throw file_error(
+          path, 0, fmt::format("cannot be made ({}), expected a directory to write into", error.message()));
+    }
+  }
+  ~directory() { remove(); }
+  directory(const directory&) = delete;
+  directory& operator=(const directory&) = delete;
+
+ private:
+  void remove() const {
+    std::error_code ignored;
+    for (auto last = made_.rbegin(); last != made_.rend(); ++last) std::filesystem::remove(*last, ignored);
+  }
+
+  std::vector<std::filesystem::path> made_;
+};
+
+}  // namespace
+
+void write_directory(const std::string& path, const std::map<std::string, std::string>& texts) {
+  const directory place(path);
+  std::error_code error;
+  for (const auto& entry : std::filesystem::directory_iterator(path, error)) {
+    const std::string name = entry.path().filename().string();
+    if (!texts.contains(name)) {
+      throw file_error(
+          path, 0,
+          fmt::format(
+              "holds {}, expected an empty directory or one with files of the same names as those to write",
+              name));
+    }
+  }
+  if (error)
+    throw file_error(path, 0,
+                     fmt::format("cannot be read ({}), expected a directory to write into", error.message()));
+  std::vector<std::unique_ptr<output_file>> files;
+  for (const auto& [name, text] : texts) {
+    files.push_back(std::make_unique<output_file>((std::filesystem::path(path) / name).string()));
+    files.back()->write(text);
+    files.back()->close();
+  }
+  for (const auto& file : files) file->commit();
 }
 
 }  // namespace blysk::cli

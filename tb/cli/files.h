@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdio>
+#include <map>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -84,6 +85,9 @@ class output_file {
   /// \throws usage_error if the text cannot be written
   void write(std::string_view text);
 
+  /// \throws usage_error if not all that was written has reached the disk
+  void close();
+
   /// \throws usage_error if what was written cannot be brought to its place
   void commit();
 
@@ -96,5 +100,10 @@ class output_file {
   file_handle file_;
   std::size_t line_ = 1;
 };
+
+/// Writes files into a directory, which is made if it does not exist: all of them, or none if one cannot be written.
+/// \param texts  of the files by their names
+/// \throws usage_error if they cannot be written, or the directory holds anything else: it would be taken for a part
+void write_directory(const std::string& path, const std::map<std::string, std::string>& texts);
 
 }  // namespace blysk::cli

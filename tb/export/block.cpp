@@ -30,6 +30,10 @@ std::string signed_literal(wide_int value, int width) {
          magnitude.substr(magnitude.find('\'') + 1);
 }
 
+std::string comment(const std::string& note) {
+  return note.empty() ? "" : "  // " + note;
+}
+
 std::string file_text(const std::string& title, const std::string& content) {
   return fmt::format(
       "// SPDX-License-Identifier: Apache-2.0\n"
@@ -50,7 +54,7 @@ namespace {
 
 /// A piece of Verilog, with how loosely it binds.
 struct phrase {
-  enum binding { primary, unary, product, sum, relation, conjunction, disjunction, choice };
+  enum binding { primary, unary, product, sum, relation, bitwise, conjunction, disjunction, choice };
 
   std::string text;
   binding rank = primary;
@@ -82,8 +86,14 @@ const char* word_for(operation op) {
     case operation::shift_left:
     case operation::shift_right:
       return "shifted";
+    case operation::bit_and:
+    case operation::bit_or:
+    case operation::bit_xor:
+      return "bits";
     case operation::select:
       return "selected";
+    case operation::lookup:
+      return "word";
     default:
       return "flag";
   }
@@ -128,14 +138,16 @@ class block_reader::body {
                       &declaration::name);  // compilers differ in the order of a law's arguments
     std::string result;
     for (const declaration& name : declarations) {
-      if (name.where == declaration::role::wire) result += "  " + name.text() + ";\n";
+      if (name.where == declaration::role::wire) {
+        result += "  " + name.text() + ";" + comment(name.carries ? name.carries->note() : "") + "\n";
+      }
       if (name.where != declaration::role::output) result += unused(name.name, name.bits.width);
     }
     for (const wire& each : wires_) {
       result += fmt::format("  wire {}{} = {};\n", range_text(each.width), each.name, each.value);
       result += unused(each.name, each.width);
     }
-    return result + (result.empty() ? "" : "\n") + statements_;
+    return functions_ + result + (result.empty() ? "" : "\n") + statements_;
   }
 
  private:
@@ -190,6 +202,8 @@ class block_reader::body {
         return 1;
       case operation::select:
         return index == 0 ? 1 : own_width(n);
+      case operation::lookup:
+        return n.operands[0]->width();
       default:
         return own_width(n);
     }
@@ -216,11 +230,15 @@ class block_reader::body {
     const auto known = names_.find(&n);
     if (known != names_.end()) return known->second;
     const phrase value = compute(n);  // first, so that the operands' wires are declared before
-    const std::string base = word_for(n.op);
-    std::string name = base;
-    for (int i = 2; !taken_.insert(name).second; ++i) name = base + std::to_string(i);
+    const std::string name = new_name(word_for(n.op));
     wires_.push_back({name, own_width(n), value.text});
     return names_[&n] = name;
+  }
+
+  std::string new_name(const std::string& base) {
+    std::string name = base;
+    for (int i = 2; !taken_.insert(name).second; ++i) name = base + std::to_string(i);
+    return name;
   }
 
   /// The low `width` bits of n.
@@ -286,12 +304,43 @@ class block_reader::body {
         const std::string yes = operand(1).within(phrase::disjunction);
         return {fmt::format("{} ? {} : {}", condition, yes, operand(2).text), phrase::choice};
       }
+      // Few readers know how & | ^ bind: all operands that are not names stand in parentheses.
+      case operation::bit_and:
+        return bitwise("&", operand(0), operand(1));
+      case operation::bit_or:
+        return bitwise("|", operand(0), operand(1));
+      case operation::bit_xor:
+        return bitwise("^", operand(0), operand(1));
+      case operation::lookup:
+        return {fmt::format("{}({})", table(n), operand(0).text)};
       case operation::constant:
       case operation::parameter:
       case operation::signal:
         break;
     }
     throw std::logic_error("not an operator");
+  }
+
+  static phrase bitwise(const char* symbol, const phrase& a, const phrase& b) {
+    return {fmt::format("{} {} {}", a.within(phrase::unary), symbol, b.within(phrase::unary)),
+            phrase::bitwise};
+  }
+
+  /// The name of a function that holds the table of n.
+  std::string table(const node& n) {
+    const int width = own_width(n);
+    const int index_width = n.operands[0]->width();
+    const std::string name = new_name("rom");
+    const std::string index = new_name("index");
+    functions_ += fmt::format("  function {}{};\n    input {}{};\n    case ({})\n", range_text(width), name,
+                              range_text(index_width), index, index);
+    for (std::size_t i = 0; i < n.table.size() && static_cast<wide_int>(i) <= n.operands[0]->high; ++i) {
+      functions_ += fmt::format("      {}: {} = {};\n", literal(static_cast<wide_int>(i), index_width), name,
+                                literal(n.table[i], width));
+    }
+    functions_ +=
+        fmt::format("      default: {} = {};\n    endcase\n  endfunction\n\n", name, literal(0, width));
+    return name;
   }
 
   phrase relation(const node& n, std::size_t left, const char* symbol, std::size_t right) {
@@ -327,7 +376,7 @@ class block_reader::body {
         "      {} <= {};\n"
         "    end\n"
         "  end\n",
-        clk, rst_n, q.name, literal(0, q.bits.width), condition, q.name, d);
+        clk, rst_n, q.name, literal(flops.reset, q.bits.width), condition, q.name, d);
   }
 
   void mark_read(const std::string& name, int high, int low) {
@@ -357,21 +406,27 @@ class block_reader::body {
   std::set<std::string> taken_;
   std::map<std::string, std::set<int>> read_;
   std::vector<wire> wires_;
+  std::string functions_;
   std::string statements_;
 };
 
-expression block_reader::read(const std::string& name, declaration::role where, shape bits) {
-  declare(name, where, bits);
+expression block_reader::read(const std::string& name, declaration::role where, shape bits,
+                              const std::optional<wire_format>& carries) {
+  declare(name, where, bits, carries);
   return expression::signal(name, bits.width, bits.is_signed);
 }
 
-std::size_t block_reader::declare(const std::string& name, declaration::role where, shape bits, bool is_reg) {
+std::size_t block_reader::declare(const std::string& name, declaration::role where, shape bits,
+                                  const std::optional<wire_format>& carries, bool is_reg) {
+  if (carries && carries->width() != bits.width)
+    throw std::logic_error(fmt::format("{} has {} bits, not those of {}", name, bits.width, carries->text()));
   const auto known = std::ranges::find(declarations_, name, &declaration::name);
   if (known != declarations_.end()) {
     known->is_reg |= is_reg;
+    if (carries) known->carries = carries;
     return static_cast<std::size_t>(known - declarations_.begin());
   }
-  declarations_.push_back({name, where, bits, is_reg});
+  declarations_.push_back({name, where, bits, is_reg, carries});
   return declarations_.size() - 1;
 }
 
@@ -382,6 +437,23 @@ bool block_reader::is_clock(const std::string& port) const {
 
 int block_reader::parameter_width(const std::string& name) const {
   return body(*this).parameter_width(name);
+}
+
+const declaration& block_reader::described(const std::string& port) const {
+  const auto found = std::ranges::find(declarations_, port, &declaration::name);
+  if (found == declarations_.end()) throw std::logic_error("port " + port + " is not described");
+  return *found;
+}
+
+std::string block_reader::name(const std::vector<std::string>& ports) const {
+  if (kind_.empty()) throw std::logic_error("a block does not say what it is");
+  std::string in, out;
+  for (const std::string& port : ports) {
+    const declaration& each = described(port);
+    if (each.carries) (each.where == declaration::role::input ? in : out) += "_" + each.carries->name();
+  }
+  const std::string result = in.empty() || in == out ? out : in + "_to" + out;
+  return kind_ + result + (variant_.empty() ? "" : "_" + variant_);
 }
 
 std::string block_reader::text(const std::string& module_name, const std::string& title,
@@ -395,15 +467,23 @@ std::string block_reader::text(const std::string& module_name, const std::string
     separator = ",\n";
   }
   if (!parameters_.empty()) result += "\n)";
-  separator = " (\n";
-  for (const std::string& port : ports) {
-    const auto found = std::ranges::find(declarations_, port, &declaration::name);
-    if (found == declarations_.end())
-      throw std::logic_error("port " + port + " of " + module_name + " is not described");
-    result += separator + "    " + found->text();
-    separator = ",\n";
+  std::vector<declaration> declared;
+  for (const std::string& port : ports) declared.push_back(described(port));
+  return file_text(title, fmt::format("{} (\n{}\n);\n\n{}\nendmodule\n", result, port_list(declared, {}),
+                                      body(*this).text(declarations_)));
+}
+
+std::string port_list(const std::vector<declaration>& ports,
+                      const std::map<std::string, std::string>& notes) {
+  std::string result;
+  for (const declaration& port : ports) {
+    const bool is_last = &port == &ports.back();
+    const auto known = notes.find(port.name);
+    const std::string note = known != notes.end() ? known->second : port.carries ? port.carries->note() : "";
+    result +=
+        fmt::format("    {}{}{}{}", port.text(), is_last ? "" : ",", comment(note), is_last ? "" : "\n");
   }
-  return file_text(title, fmt::format("{}\n);\n\n{}\nendmodule\n", result, body(*this).text(declarations_)));
+  return result;
 }
 
 }  // namespace blysk::verilog

@@ -2,11 +2,14 @@
 /// A leaf block as Verilog.
 #pragma once
 
+#include <map>
+#include <optional>
 #include <string>
 #include <systemc>
 #include <vector>
 
 #include "tb/export/expression.h"
+#include "tb/export/format.h"
 
 namespace blysk::verilog {
 
@@ -33,6 +36,7 @@ struct declaration {
   role where;
   shape bits;
   bool is_reg = false;
+  std::optional<wire_format> carries = {};
 
   std::string text() const;
 };
@@ -41,41 +45,59 @@ struct declaration {
 struct instance_parameter {
   std::string name;
   std::int64_t value;
+  std::optional<wire_format> carries;
 };
 
-/// Reader of a leaf block: its describe() tells this which ports feed the law, and what the law makes of them.
+/// Reader of a leaf block: its describe() tells this what the block is, which ports feed the law, and what the law
+/// makes of them. Ports that carry numbers come with their Q-format.
 class block_reader {
  public:
-  template <class T>
-  expression read(const sc_core::sc_in<T>& port) {
-    return read(port.basename(), declaration::role::input, shape_of<T>);
+  /// \param kind     begins the module's name, "mul"
+  /// \param words    what it does, a line of its file's head
+  /// \param variant  ends the module's name where formats alone do not tell two kinds apart, "clamp"
+  void block(const std::string& kind, const std::string& words, const std::string& variant = "") {
+    kind_ = kind;
+    words_ = words;
+    variant_ = variant;
+  }
+
+  template <class T, class Format = no_format>
+  expression read(const sc_core::sc_in<T>& port, Format format = {}) {
+    return read(port.basename(), declaration::role::input, shape_of<T>, format_of(format));
   }
   template <class T, sc_core::sc_writer_policy Policy>
   expression read(const sc_core::sc_signal<T, Policy>& wire) {
-    return read(wire.basename(), declaration::role::wire, shape_of<T>);
+    return read(wire.basename(), declaration::role::wire, shape_of<T>, {});
   }
 
   expression constant(std::int64_t value) { return expression(value); }
 
   /// A constant that each instance has its own value of.
-  expression parameter(const std::string& name, std::int64_t value) {
-    parameters_.push_back({name, value});
+  template <class Format = no_format>
+  expression parameter(const std::string& name, std::int64_t value, Format format = {}) {
+    parameters_.push_back({name, value, format_of(format)});
     return expression::parameter(name);
   }
 
   /// target = value, its low bits if the value has more than the target.
-  template <class T>
-  void drive(const sc_core::sc_out<T>& target, const expression& value) {
-    const auto index = declare(target.basename(), declaration::role::output, shape_of<T>);
+  template <class T, class Format = no_format>
+  void drive(const sc_core::sc_out<T>& target, const expression& value, Format format = {}) {
+    const auto index = declare(target.basename(), declaration::role::output, shape_of<T>, format_of(format));
     drives_.push_back({index, value});
   }
 
-  /// At each rising edge of clk: q = rst_n ? (enable ? d : q) : 0.
-  template <class Q>
+  /// At each rising edge of clk: q = rst_n ? (enable ? d : q) : reset.
+  template <class Q, class Format = no_format>
   void reg(const sc_core::sc_in<bool>& clk, const sc_core::sc_in<bool>& rst_n, const expression& enable,
-           const expression& d, const Q& q) {
-    registers_.push_back({read(clk), read(rst_n), enable, d, declare_register(q)});
+           const expression& d, const Q& q, Format format = {}, std::int64_t reset = 0) {
+    registers_.push_back({read(clk), read(rst_n), enable, d, declare_register(q, format_of(format)), reset});
   }
+
+  const std::string& words() const { return words_; }
+
+  /// "mul_uq10_0_uq0_12_to_uq10_12": kind, formats of inputs and outputs in the order of the ports, variant.
+  /// \throws std::logic_error if the block does not say what it is
+  std::string name(const std::vector<std::string>& ports) const;
 
   const std::vector<declaration>& declarations() const { return declarations_; }
   const std::vector<instance_parameter>& parameters() const { return parameters_; }
@@ -104,20 +126,26 @@ class block_reader {
     expression enable;
     expression d;
     std::size_t q;
+    std::int64_t reset;
   };
 
   template <class T>
-  std::size_t declare_register(const sc_core::sc_out<T>& q) {
-    return declare(q.basename(), declaration::role::output, shape_of<T>, true);
+  std::size_t declare_register(const sc_core::sc_out<T>& q, const std::optional<wire_format>& carries) {
+    return declare(q.basename(), declaration::role::output, shape_of<T>, carries, true);
   }
   template <class T, sc_core::sc_writer_policy Policy>
-  std::size_t declare_register(const sc_core::sc_signal<T, Policy>& q) {
-    return declare(q.basename(), declaration::role::wire, shape_of<T>, true);
+  std::size_t declare_register(const sc_core::sc_signal<T, Policy>& q,
+                               const std::optional<wire_format>& carries) {
+    return declare(q.basename(), declaration::role::wire, shape_of<T>, carries, true);
   }
 
-  expression read(const std::string& name, declaration::role where, shape bits);
-  std::size_t declare(const std::string& name, declaration::role where, shape bits, bool is_reg = false);
+  expression read(const std::string& name, declaration::role where, shape bits,
+                  const std::optional<wire_format>& carries);
+  std::size_t declare(const std::string& name, declaration::role where, shape bits,
+                      const std::optional<wire_format>& carries, bool is_reg = false);
+  const declaration& described(const std::string& port) const;
 
+  std::string kind_, words_, variant_;
   std::vector<declaration> declarations_;
   std::vector<instance_parameter> parameters_;
   std::vector<assignment> drives_;
@@ -132,6 +160,12 @@ std::string literal(wide_int value, int width);
 
 /// A signed one, "-8'sd3".
 std::string signed_literal(wide_int value, int width);
+
+/// "  // NOTE", or nothing if there is none.
+std::string comment(const std::string& note);
+
+/// The ports, a line each with the note of its name, or its format.
+std::string port_list(const std::vector<declaration>& ports, const std::map<std::string, std::string>& notes);
 
 /// What all files begin and end with.
 std::string file_text(const std::string& title, const std::string& content);

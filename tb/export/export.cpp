@@ -4,23 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 
 namespace blysk::verilog {
 
-// Defined in quadratic_export.cpp, one object file per format; its header would elaborate them all here.
-template <class Q, lobe Lobe>
-files export_quadratic(const device_options& options);
-
 namespace {
-
-/// "device quadratic, format q12, coefficient derived, BRDF clamped", what was given alone.
-std::string description(const device_options& options) {
-  return fmt::format("device {}, format {}, coefficient {}{}, {}", options.device, options.format,
-                     options.coefficient,
-                     options.constant.empty() ? "" : ", constant 0." + options.constant + "b",
-                     options.as_published ? "BRDF as published" : "BRDF clamped to [0, 1]");
-}
 
 std::string core_text(const std::string& name, const std::string& what, const files& modules) {
   std::string list;
@@ -54,23 +41,40 @@ std::string core_text(const std::string& name, const std::string& what, const fi
       name, what, list);
 }
 
-std::string constraints_text(const std::vector<std::string>& clocks) {
+std::string constraints_text(const std::vector<pin>& pins, const std::vector<std::string>& clocks) {
+  const auto ports = [&](bool is_input) {
+    std::string names;
+    for (const pin& each : pins) {
+      const bool is_clock = std::ranges::find(clocks, each.name) != clocks.end();
+      if (each.is_input == is_input && !is_clock) names += (names.empty() ? "" : " ") + each.name;
+    }
+    return names;
+  };
   std::string text =
       "# SPDX-License-Identifier: Apache-2.0\n"
-      "# 10 ns stands for the board's clock. No path is false: rst_n is synchronous, and what enters or "
-      "leaves does so\n"
-      "# within one period.\n";
+      "# clk_period, in ns, is an example: set your clock's. Delays of 0 leave inputs and outputs the whole "
+      "period; set\n"
+      "# what your board takes of it. No path is false: reset is synchronous.\n"
+      "set clk_period 10.0\n";
   for (const std::string& clk : clocks) {
-    text += fmt::format(
-        "create_clock -name {0} -period 10 [get_ports {0}]\n"
-        "set_input_delay -clock {0} 0 [remove_from_collection [all_inputs] [get_ports {0}]]\n"
-        "set_output_delay -clock {0} 0 [all_outputs]\n",
-        clk);
+    text += fmt::format("create_clock -name {0} -period $clk_period [get_ports {0}]\n", clk);
+    text += fmt::format("set_input_delay 0 -clock {} [get_ports {{{}}}]\n", clk, ports(true));
+    text += fmt::format("set_output_delay 0 -clock {} [get_ports {{{}}}]\n", clk, ports(false));
   }
   return text;
 }
 
 }  // namespace
+
+std::unique_ptr<model> make_model(const device_options& options) {
+#define BLYSK_DEVICE(identifier, name)                                                                    \
+  if (options.device == name) {                                                                           \
+    return visit_format(options, [&]<class Q>() { return make_model<devices::identifier, Q>(options); }); \
+  }
+#include "tb/devices.def"
+#undef BLYSK_DEVICE
+  throw std::invalid_argument("device " + options.device + " does not exist");
+}
 
 std::string top_name(const device_options& options) {
   std::string name = fmt::format("blysk_{}_{}", options.device, options.format);
@@ -78,37 +82,25 @@ std::string top_name(const device_options& options) {
   return name;
 }
 
-files export_files(const sc_core::sc_module& device, const device_options& options,
-                   const std::map<std::string, std::string>& notes, const parts_list& parts) {
-  const std::string name = top_name(options);
-  const std::string what = description(options);
+files export_files(const model& device, const std::string& name, const std::string& title) {
+  std::map<std::string, std::string> notes;
+  for (const pin& each : device.pins()) notes[each.name] = each.note;
   files result =
-      netlist(device, name, fmt::format("// {}, exported from the SystemC model.\n", what), notes, parts);
+      netlist(device.device(), name, fmt::format("// {}, exported from the SystemC model.\n", title), notes,
+              device.parts());
   std::string list;
   for (const auto& [file, text] : result) list += file + "\n";
-  const std::string core = core_text(name, what, result);
+  const std::string core = core_text(name, title, result);
   result[name + ".f"] = list;
   result[name + ".core"] = core;
-  result[name + ".sdc"] = constraints_text(clock_ports(device, parts));
+  result[name + ".sdc"] = constraints_text(device.pins(), clock_ports(device.device(), device.parts()));
   return result;
 }
 
-files export_files(const device_options& options) {
-  if (options.device != "quadratic")
-    throw std::invalid_argument("device " + options.device + " does not exist");
-  return visit_formats(options, [&]<class Q, lobe Lobe>() { return export_quadratic<Q, Lobe>(options); });
-}
-
-void export_device(const device_options& options, const std::filesystem::path& directory) {
-  const files made = export_files(options);
-  std::filesystem::create_directories(directory);
-  for (const auto& [name, text] : made) {
-    std::ofstream file;
-    file.exceptions(std::ios::failbit | std::ios::badbit);
-    file.open(directory / name, std::ios::binary);
-    file << text;
-    file.close();
-  }
+files export_files(const model& device, const device_options& options) {
+  return export_files(device, top_name(options),
+                      fmt::format("device {}, format {}{}{}", options.device, options.format,
+                                  device.options().empty() ? "" : ", ", device.options()));
 }
 
 }  // namespace blysk::verilog

@@ -2,39 +2,40 @@
 /// Verilog of a device, made from its elaborated SystemC.
 #pragma once
 
-#include <filesystem>
+#include <memory>
 #include <string>
 
 #include "tb/device.h"
-#include "tb/export/netlist.h"
+#include "tb/export/model.h"
 
 namespace blysk::verilog {
+
+/// Tags of the devices.
+namespace devices {
+#define BLYSK_DEVICE(identifier, name) struct identifier;
+#include "tb/devices.def"
+#undef BLYSK_DEVICE
+}  // namespace devices
+
+/// The device in format Q, defined in devices/<identifier>.cpp, which is compiled once for each format.
+/// \throws std::invalid_argument for options that the device does not have
+template <class Device, class Q>
+std::unique_ptr<model> make_model(const device_options& options);
+
+/// The device of the options.
+/// \throws std::invalid_argument for options that no device has
+std::unique_ptr<model> make_model(const device_options& options);
 
 /// Name of the top module, "blysk_quadratic_q12".
 std::string top_name(const device_options& options);
 
 /// The device's modules (Verilog-2001, one to a file), the file list top.f, the FuseSoC description top.core and the
 /// constraints top.sdc.
-/// SystemC elaborates once: a process exports once, and has no other module.
-/// \throws std::invalid_argument for options that no device has
-files export_files(const device_options& options);
+/// \param name   of the top module
+/// \param title  what the device is, in one line
+files export_files(const model& device, const std::string& name, const std::string& title);
 
-/// Writes them into a directory, which is made if it does not exist.
-/// \throws std::invalid_argument for options that no device has, before anything is written
-/// \throws std::ios_base::failure or std::filesystem::filesystem_error
-void export_device(const device_options& options, const std::filesystem::path& directory);
-
-/// The files of any device that has pins() and blocks() as quadratic.h has. Elaborates SystemC.
-template <class Device>
-files export_files(Device& device, const device_options& options) {
-  pin_reader pins;
-  device.pins(pins);
-  sc_core::sc_start(sc_core::SC_ZERO_TIME);  // elaborates
-  const parts_list parts(device.blocks());
-  return export_files(device, options, pins.notes(), parts);
-}
-
-files export_files(const sc_core::sc_module& device, const device_options& options,
-                   const std::map<std::string, std::string>& notes, const parts_list& parts);
+/// The same for the device of the options.
+files export_files(const model& device, const device_options& options);
 
 }  // namespace blysk::verilog

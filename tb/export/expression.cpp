@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 namespace blysk::verilog {
 namespace {
@@ -16,9 +17,9 @@ int unsigned_width(wide_int value) {
 }
 
 expression make(operation op, std::initializer_list<expression> operands, wide_int low, wide_int high,
-                int distance = 0) {
-  auto made =
-      std::make_shared<node>(node{.op = op, .operands = {}, .low = low, .high = high, .distance = distance});
+                int distance = 0, std::vector<std::int64_t> table = {}) {
+  auto made = std::make_shared<node>(node{
+      .op = op, .operands = {}, .low = low, .high = high, .distance = distance, .table = std::move(table)});
   for (const expression& operand : operands) {
     made->operands.push_back(operand.root());
     made->depth = std::max(made->depth, operand.root()->depth + 1);
@@ -39,6 +40,14 @@ expression make_constant(wide_int value) {
 expression truth(const expression& a) {
   const node& root = *a.root();
   return root.low == 0 && root.high <= 1 ? a : !(a == expression{0});
+}
+
+// Ones only come in with |: it is no less than either operand, unless that one alone is not negative.
+std::pair<wide_int, wide_int> or_interval(wide_int a_low, wide_int a_high, wide_int b_low, wide_int b_high) {
+  const bool is_negative = a_high < 0 || b_high < 0;
+  const bool have_one_sign = (a_low >= 0 && b_low >= 0) || (a_high < 0 && b_high < 0);
+  const wide_int ones = (wide_int{1} << unsigned_width(std::max({a_high, b_high, wide_int{0}}))) - 1;
+  return {have_one_sign ? std::max(a_low, b_low) : std::min(a_low, b_low), is_negative ? -1 : ones};
 }
 
 }  // namespace
@@ -122,9 +131,45 @@ expression operator!(const expression& a) {
   return make(operation::logical_not, {truth(a)}, 0, 1);
 }
 
+expression operator&(const expression& a, const expression& b) {
+  const node& x = *a.root();
+  const node& y = *b.root();
+  const auto [low, high] = or_interval(~x.high, ~x.low, ~y.high, ~y.low);  // a & b = ~(~a | ~b)
+  return make(operation::bit_and, {a, b}, ~high, ~low);
+}
+
+expression operator|(const expression& a, const expression& b) {
+  const node& x = *a.root();
+  const node& y = *b.root();
+  const auto [low, high] = or_interval(x.low, x.high, y.low, y.high);
+  return make(operation::bit_or, {a, b}, low, high);
+}
+
+expression operator^(const expression& a, const expression& b) {
+  const node& x = *a.root();
+  const node& y = *b.root();
+  const bool is_signed = x.is_signed() || y.is_signed();
+  const auto magnitude = [](const node& n) {
+    return std::max(unsigned_width(n.is_signed() ? ~n.low : 0), n.high < 0 ? 0 : unsigned_width(n.high));
+  };
+  const wide_int span = wide_int{1} << std::max(magnitude(x), magnitude(y));
+  return make(operation::bit_xor, {a, b}, is_signed ? -span : 0, span - 1);
+}
+
 expression select(const expression& condition, const expression& a, const expression& b) {
   return make(operation::select, {truth(condition), a, b}, std::min(a.root()->low, b.root()->low),
               std::max(a.root()->high, b.root()->high));
+}
+
+expression lookup(std::vector<std::int64_t> table, const expression& index) {
+  if (index.root()->is_signed())
+    throw std::domain_error("a law looks up a table at an index that may be negative");
+  auto [low, high] = std::ranges::minmax(table);
+  if (index.root()->high >= static_cast<wide_int>(table.size())) {
+    low = std::min<std::int64_t>(low, 0);
+    high = std::max<std::int64_t>(high, 0);
+  }
+  return make(operation::lookup, {index}, low, high, 0, std::move(table));
 }
 
 }  // namespace blysk::verilog

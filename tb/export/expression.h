@@ -26,7 +26,11 @@ enum class operation {
   logical_and,
   logical_or,
   logical_not,
-  select  ///< a ? b : c
+  bit_and,
+  bit_or,
+  bit_xor,
+  select,  ///< a ? b : c
+  lookup   ///< table[a]
 };
 
 /// One step of a law, with the ends of the interval that its exact value lies in.
@@ -38,6 +42,7 @@ struct node {
   std::string name = {};  ///< of a signal or parameter
   int distance = 0;       ///< of a shift
   int depth = 0;          ///< an operand's is below its user's
+  std::vector<std::int64_t> table = {};
 
   bool is_signed() const { return low < 0; }
 
@@ -73,6 +78,9 @@ expression operator==(const expression& a, const expression& b);
 expression operator&&(const expression& a, const expression& b);
 expression operator||(const expression& a, const expression& b);
 expression operator!(const expression& a);
+expression operator&(const expression& a, const expression& b);
+expression operator|(const expression& a, const expression& b);
+expression operator^(const expression& a, const expression& b);
 
 inline expression operator-(const expression& a) {
   return expression{0} - a;
@@ -92,5 +100,13 @@ inline expression operator!=(const expression& a, const expression& b) {
 
 /// condition ? a : b, found by the laws beside blysk::law::select.
 expression select(const expression& condition, const expression& a, const expression& b);
+
+/// table[index], 0 beyond its end, found by the laws beside blysk::law::lookup.
+/// \throws std::domain_error for an index that may be negative
+expression lookup(std::vector<std::int64_t> table, const expression& index);
+template <std::size_t Words>
+expression lookup(const std::int64_t (&table)[Words], const expression& index) {
+  return lookup(std::vector<std::int64_t>(table, table + Words), index);
+}
 
 }  // namespace blysk::verilog

@@ -3,6 +3,7 @@
 #include "tb/export/expression.h"
 
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <limits>
 
@@ -40,6 +41,18 @@ TEST_CASE("the interval of an operation is that of its values", "[export]") {
       {"~", [](auto a, auto) { return ~a; }, [](int a, int) { return ~a; }},
       {"<< 2", [](auto a, auto) { return a << 2; }, [](int a, int) { return a * 4; }},
       {">> 2", [](auto a, auto) { return a >> 2; }, [](int a, int) { return a >> 2; }},
+      {"&", [](auto a, auto b) { return a & b; }, std::bit_and<>{}},
+      {"|", [](auto a, auto b) { return a | b; }, std::bit_or<>{}},
+      {"^", [](auto a, auto b) { return a ^ b; }, std::bit_xor<>{}},
+      {"& of complements", [](auto a, auto b) { return ~a & ~b; }, [](int a, int b) { return ~a & ~b; }},
+      {"| of complements", [](auto a, auto b) { return ~a | ~b; }, [](int a, int b) { return ~a | ~b; }},
+      {"lookup",
+       [](auto a, auto) {
+         return lookup({3, -2, 9}, a & expression(3));
+       },
+       [](int a, int) {
+         return std::array{3, -2, 9, 0}[static_cast<std::size_t>(a & 3)];
+       }},
       {"<", [](auto a, auto b) { return a < b; }, std::less<>{}},
       {"==", [](auto a, auto b) { return a == b; }, std::equal_to<>{}},
   };
@@ -92,11 +105,16 @@ struct half_described : sc_core::sc_module {
 
   template <class Reader>
   void describe(Reader& reader) const {
+    reader.block("half", "Half described.");
     reader.drive(y_o, !reader.read(a_i));
   }
 };
 
 }  // namespace
+
+TEST_CASE("a table is not read before its start", "[export]") {
+  CHECK_THROWS_AS(lookup({1, 2}, expression::signal("a", 2, true)), std::domain_error);
+}
 
 TEST_CASE("a port that the description leaves out is refused", "[export]") {
   const half_described block("block");

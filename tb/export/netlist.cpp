@@ -7,27 +7,38 @@
 #include <algorithm>
 #include <cctype>
 #include <cstdlib>
+#include <memory>
 #include <regex>
 #include <set>
 #include <stdexcept>
+#include <typeindex>
+#include <typeinfo>
+#include <utility>
 
 namespace blysk::verilog {
 namespace {
 
 using role = declaration::role;
 
-/// "blysk_mul_uq_1_8_uq_1_8_uq_1_16": a type is a kind with its formats, so types and modules are one to one.
-std::string module_name(const std::string& type) {
-  std::string result = "blysk_";
+/// Name of a type as it may stand in Verilog, "stage_8" for stage<8>.
+std::string plain_name(const std::string& type) {
+  std::string result;
   for (const char c : std::regex_replace(type, std::regex("-"), "m")) {
     if (std::isalnum(static_cast<unsigned char>(c)) != 0) {
       result += c;
-    } else if (result.back() != '_') {
+    } else if (!result.empty() && result.back() != '_') {
       result += '_';
     }
   }
-  if (result.back() == '_') result.pop_back();
+  if (result.ends_with('_')) result.pop_back();
   return result;
+}
+
+/// The module's C++ type without namespaces.
+std::string type_name(const sc_core::sc_object& module) {
+  const std::unique_ptr<char, decltype(&std::free)> name(
+      abi::__cxa_demangle(typeid(module).name(), nullptr, nullptr, nullptr), std::free);
+  return std::regex_replace(name.get(), std::regex(R"((\w+|\(anonymous namespace\))::)"), "");
 }
 
 std::vector<const sc_core::sc_port_base*> ports_of(const sc_core::sc_object& module) {
@@ -48,30 +59,35 @@ std::vector<const sc_core::sc_module*> modules_of(const sc_core::sc_object& modu
 
 class writer {
  public:
-  explicit writer(const parts_list& parts) : parts_(parts) {}
+  /// \param name    of the top module, with which the others' names begin
+  /// \param origin  what all files tell at their heads
+  writer(const std::string& name, const std::string& origin, const parts_list& parts)
+      : name_(name), origin_(origin), parts_(parts) {}
 
   files result;
 
   /// Writes a module and those below it.
   /// \return  its ports
   std::vector<declaration> write(const sc_core::sc_module& module, const std::string& name,
-                                 const std::string& title, const std::map<std::string, std::string>& notes) {
+                                 const std::map<std::string, std::string>& notes) {
     scope nets = scope_of(module);
     std::string instances;
-    for (const sc_core::sc_module* sub : modules_of(module)) instances += instance(*sub, name, nets);
+    for (const sc_core::sc_module* sub : modules_of(module)) instances += instance(*sub, nets);
 
     std::vector<declaration> ports;
     std::string wires;
     for (net& each : nets) {
       check(each, module);
       if (each.declared.where == role::wire) {
-        wires += "  " + each.declared.text() + ";\n";
+        const std::string format = each.declared.carries ? each.declared.carries->note() : "";
+        wires += "  " + each.declared.text() + ";" +
+                 comment(format.empty() ? "" : each.driver + ": " + format) + "\n";
       } else {
         ports.push_back(each.declared);
       }
     }
-    result[name + ".v"] = file_text(title, fmt::format("module {} (\n{}\n);\n\n{}\n{}\nendmodule\n", name,
-                                                       port_list(ports, notes), wires, instances));
+    add(name, file_text(origin_, fmt::format("module {} (\n{}\n);\n\n{}\n{}\nendmodule\n", name,
+                                             port_list(ports, notes), wires, instances)));
     return ports;
   }
 
@@ -81,6 +97,7 @@ class writer {
     declaration declared;
     int drivers = 0;
     int readers = 0;
+    std::string driver = {};  // the instance
   };
   using scope = std::vector<net>;
 
@@ -91,7 +108,7 @@ class writer {
       const sc_core::sc_interface* channel = dynamic_cast<const sc_core::sc_interface*>(child);
       if (const auto* port = dynamic_cast<const sc_core::sc_port_base*>(child))
         channel = port->get_interface();
-      if (channel != nullptr) nets.push_back({channel, {child->basename(), role::wire, {}, false}});
+      if (channel != nullptr) nets.push_back({channel, {child->basename(), role::wire, {}}});
     }
     for (const sc_core::sc_port_base* port : ports_of(module)) {
       find(nets, *port).declared.where = role::input;  // until a part drives it
@@ -105,18 +122,16 @@ class writer {
     return *found;
   }
 
-  std::string instance(const sc_core::sc_module& module, const std::string& parent, scope& nets) {
-    const parts_list::part* part = parts_.find(module);
+  std::string instance(const sc_core::sc_module& module, scope& nets) {
+    const block_reader* part = parts_.find(module);
     std::string type;
-    std::string values;
     std::vector<declaration> declarations;
     if (part != nullptr) {
       type = leaf(module, *part);
-      values = parameter_values(part->reader);
-      declarations = part->reader.declarations();
+      declarations = part->declarations();
     } else if (!modules_of(module).empty()) {
-      type = parent + "_" + module.basename();
-      declarations = write(module, type, fmt::format("// {} of {}.\n", module.basename(), parent), {});
+      type = name_ + "_" + plain_name(type_name(module));
+      declarations = write(module, type, {});
     } else {
       throw std::logic_error(fmt::format("{} is not in its device's blocks()", module.name()));
     }
@@ -126,37 +141,65 @@ class writer {
       net& bound = find(nets, *port);
       const declaration& declared =
           *std::ranges::find(declarations, std::string(port->basename()), &declaration::name);
-      bound.declared.bits = declared.bits;
-      if (declared.where == role::output) {
-        ++bound.drivers;
-        if (bound.declared.where == role::input) bound.declared.where = role::output;
-      } else {
-        ++bound.readers;
-      }
+      connect(bound, declared, module.basename());
       connections +=
           fmt::format("{}.{}({})", connections.empty() ? "" : ", ", declared.name, bound.declared.name);
     }
-    return fmt::format("  {}{} {} ({});\n", type, values, module.basename(), connections);
+    const auto [values, meaning] =
+        part != nullptr ? parameter_values(*part) : std::pair<std::string, std::string>{};
+    return fmt::format("  {}{} {} ({});{}\n", type, values, module.basename(), connections, comment(meaning));
   }
 
-  std::string leaf(const sc_core::sc_module& module, const parts_list::part& part) {
-    const std::string name = module_name(part.type);
+  static void connect(net& bound, const declaration& declared, const std::string& instance) {
+    declaration& own = bound.declared;
+    own.bits = declared.bits;
+    if (own.carries && declared.carries && own.carries->text() != declared.carries->text()) {
+      throw std::logic_error(
+          fmt::format("{} carries {} and {}", own.name, own.carries->text(), declared.carries->text()));
+    }
+    if (declared.where == role::output) {
+      ++bound.drivers;
+      bound.driver = instance;
+      if (own.where == role::input) own.where = role::output;
+      if (declared.carries) own.carries = declared.carries;
+    } else {
+      ++bound.readers;
+      if (!own.carries) own.carries = declared.carries;
+    }
+  }
+
+  std::string leaf(const sc_core::sc_module& module, const block_reader& part) {
     std::vector<std::string> ports;
     for (const sc_core::sc_port_base* port : ports_of(module)) ports.emplace_back(port->basename());
-    const std::string text =
-        part.reader.text(name, fmt::format("// {}, exported from the SystemC model.\n", part.type), ports);
-    const auto [file, is_new] = result.emplace(name + ".v", text);
-    if (!is_new && file->second != text) throw std::logic_error(name + " has two laws");
+    const std::string name = leaf_name(typeid(module), part.name(ports));
+    add(name, part.text(name, fmt::format("// {}\n{}", part.words(), origin_), ports));
     return name;
   }
 
-  static std::string parameter_values(const block_reader& reader) {
-    std::string values;
+  /// The types of blocks and the modules are one to one: a name that another type has got is numbered.
+  std::string leaf_name(const std::type_info& type, const std::string& wanted) {
+    const auto known = leaf_names_.find(type);
+    if (known != leaf_names_.end()) return known->second;
+    const std::string base = name_ + "_" + wanted;
+    std::string name = base;
+    for (int i = 2; result.contains(name + ".v"); ++i) name = fmt::format("{}_{}", base, i);
+    return leaf_names_[type] = name;
+  }
+
+  void add(const std::string& name, const std::string& text) {
+    const auto [file, is_new] = result.emplace(name + ".v", text);
+    if (!is_new && file->second != text) throw std::logic_error(name + " would have two texts");
+  }
+
+  /// " #(.RAW(12'd3223))", and the numbers that the values stand for.
+  static std::pair<std::string, std::string> parameter_values(const block_reader& reader) {
+    std::string values, meaning;
     for (const instance_parameter& each : reader.parameters()) {
       values += fmt::format("{}.{}({})", values.empty() ? " #(" : ", ", each.name,
                             literal(each.value, reader.parameter_width(each.name)));
+      if (each.carries) meaning += (meaning.empty() ? "" : ", ") + each.carries->value(each.value);
     }
-    return values.empty() ? values : values + ")";
+    return {values.empty() ? values : values + ")", meaning};
   }
 
   static void check(const net& each, const sc_core::sc_module& module) {
@@ -171,47 +214,32 @@ class writer {
     }
   }
 
-  static std::string port_list(const std::vector<declaration>& ports,
-                               const std::map<std::string, std::string>& notes) {
-    std::string result;
-    for (const declaration& port : ports) {
-      const auto note = notes.find(port.name);
-      result +=
-          fmt::format("    {}{}{}{}", port.text(), &port == &ports.back() ? "" : ",",
-                      note == notes.end() ? "" : "  // " + note->second, &port == &ports.back() ? "" : "\n");
-    }
-    return result;
-  }
-
+  const std::string name_;
+  const std::string origin_;
   const parts_list& parts_;
+  std::map<std::type_index, std::string> leaf_names_;
 };
 
 }  // namespace
 
-const parts_list::part* parts_list::find(const sc_core::sc_object& module) const {
+const block_reader* parts_list::find(const sc_core::sc_object& module) const {
   const auto found = parts_.find(&module);
   return found == parts_.end() ? nullptr : &found->second;
 }
 
-std::string parts_list::type_name(const std::type_info& type) {
-  const std::unique_ptr<char, decltype(&std::free)> name(
-      abi::__cxa_demangle(type.name(), nullptr, nullptr, nullptr), std::free);
-  return std::regex_replace(std::regex_replace(name.get(), std::regex("blysk::"), ""), std::regex(" >"), ">");
-}
-
-files netlist(const sc_core::sc_module& top, const std::string& name, const std::string& title,
+files netlist(const sc_core::sc_module& top, const std::string& name, const std::string& origin,
               const std::map<std::string, std::string>& notes, const parts_list& parts) {
-  writer result(parts);
-  result.write(top, name, title, notes);
+  writer result(name, origin, parts);
+  result.write(top, name, notes);
   return result.result;
 }
 
 std::vector<std::string> clock_ports(const sc_core::sc_module& top, const parts_list& parts) {
   std::set<const sc_core::sc_interface*> clocks;
   const auto collect = [&](const auto& self, const sc_core::sc_module& module) -> void {
-    const parts_list::part* part = parts.find(module);
+    const block_reader* part = parts.find(module);
     for (const sc_core::sc_port_base* port : ports_of(module)) {
-      if (part != nullptr && part->reader.is_clock(port->basename())) clocks.insert(port->get_interface());
+      if (part != nullptr && part->is_clock(port->basename())) clocks.insert(port->get_interface());
     }
     for (const sc_core::sc_module* sub : modules_of(module)) self(self, *sub);
   };

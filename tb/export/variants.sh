@@ -1,17 +1,24 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# variants.sh BLYSK: exports devices that rtl_verilog/ does not hold, every option but the default, and lints them.
+# variants.sh EXPORTED DEVICE FORMAT...: exports the device with its options, those of devices/DEVICE.variants, lints it,
+# and has Icarus repeat a run of the SystemC device.
 set -euo pipefail
-blysk=$1
-lint=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/lint.sh
+exported=$1
+device=$2
+here=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 
-for options in '--coefficient published' --as-published '--coefficient published --as-published' '--constant 101'; do
-  for format in q{8..24..2}; do
-    out="$folder/$format ${options// /}"
-    # shellcheck disable=SC2086  # several words
-    "$blysk" export --device quadratic --format "$format" $options --output "$out" >/dev/null
-    "$lint" "$out" verilator icarus yosys
+while read -ra options; do
+  for format in "${@:3}"; do
+    out=$folder/$format
+    rm -rf "$out"
+    "$exported" replay "$out" "$device" "$format" "${options[@]}"
+    "$here/lint.sh" "$out" verilator icarus yosys
+    (cd "$out/replay" && iverilog -g2001 -s replay -o replay.vvp ../*.v replay.v && vvp -n replay.vvp >said)
+    if ! grep -qx '2000 cycles replayed, 0 differ' "$out/replay/said"; then
+      echo "$device $format ${options[*]}: $(cat "$out/replay/said")" >&2
+      exit 1
+    fi
   done
-done
+done <"$here/devices/${device//-/_}.variants"

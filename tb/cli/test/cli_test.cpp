@@ -68,11 +68,12 @@ std::string quoted(const std::string& text) {
   return "'" + text + "'";
 }
 
-outcome blysk(const scratch& folder, const std::string& arguments) {
+/// \param first  shell commands, each with its semicolon
+outcome blysk(const scratch& folder, const std::string& arguments, const std::string& first = "") {
   const std::string out = folder.path("stdout.txt");
   const std::string err = folder.path("stderr.txt");
   const int raw = std::system(
-      (quoted(BLYSK_PROGRAM) + " " + arguments + " >" + quoted(out) + " 2>" + quoted(err)).c_str());
+      (first + quoted(BLYSK_PROGRAM) + " " + arguments + " >" + quoted(out) + " 2>" + quoted(err)).c_str());
   outcome result{WIFEXITED(raw) ? WEXITSTATUS(raw) : -1, slurp(out), slurp(err)};
   fs::remove(out);
   fs::remove(err);
@@ -118,16 +119,63 @@ TEST_CASE("export writes the device's Verilog", "[cli]") {
   REQUIRE(blysk(folder, "export --device quadratic --format q12 --output " + quoted(rtl)).status == 0);
   CHECK(slurp(rtl + "/blysk_quadratic_q12.v").find("module blysk_quadratic_q12 (") != std::string::npos);
   CHECK(fs::exists(rtl + "/blysk_quadratic_q12.f"));
-  const std::string file = folder.write("file", "");
-  const std::string no = " --output " + quoted(folder.path("no"));
-  for (const std::string& arguments :
-       {"export --format q9" + no, "export --constant 0" + no, "export --output " + quoted(file)}) {
-    const outcome failed = blysk(folder, arguments);
+  fs::create_directory(folder.path("empty"));
+  CHECK(blysk(folder, "export --output " + quoted(folder.path("empty/"))).status == 0);
+  CHECK(blysk(folder, "export --output " + quoted(folder.path("two/levels/"))).status == 0);
+}
+
+TEST_CASE("an export that cannot be written leaves everything as it was", "[cli]") {
+  const scratch folder;
+  const auto fails = [&](const std::string& arguments, const std::string& message,
+                         const std::string& first = "") {
+    const outcome failed = blysk(folder, "export " + arguments, first);
     CAPTURE(arguments, failed.err);
     CHECK(failed.status == 2);
     CHECK(failed.err.starts_with("blysk: "));
+    CHECK(failed.err.find(message) != std::string::npos);
     CHECK(std::count(failed.err.begin(), failed.err.end(), '\n') == 1);
-    CHECK_FALSE(fs::exists(folder.path("no")));
+  };
+  const auto to = [&](const std::string& name) { return " --output " + quoted(folder.path(name)); };
+  folder.write("file", "");
+  fails("--format q9" + to("no"), "q9");
+  fails("--constant 0" + to("no"), "constant 0 cannot be wired");
+  fails(to("file"), "file:0: cannot be made (Not a directory), expected a directory to write into");
+  fails(to("file/below"), "below:0: cannot be made (Not a directory), expected a directory to write into");
+  fails(to("new/rtl"), "cannot be written (File too large)", "trap '' XFSZ; ulimit -f 1; ");
+  CHECK(folder.names() == std::vector<std::string>{"file"});
+
+  // A former export of the same names is rewritten, and others stop it.
+  REQUIRE(blysk(folder, "export --format q8" + to("rtl")).status == 0);
+  const std::string top = folder.path("rtl/blysk_quadratic_q8.v");
+  const std::string before = slurp(top);
+  folder.write("rtl/blysk_quadratic_q8.v", "old");
+  CHECK(blysk(folder, "export --format q8" + to("rtl")).status == 0);
+  CHECK(slurp(top) == before);
+  fails("--format q8 --as-published" + to("rtl"), ", expected an empty directory or one with files of the");
+  fails("--format q10" + to("rtl"), ", expected an empty directory or one with files of the");
+  folder.write("rtl/notes", "");
+  fails("--format q8" + to("rtl"), "rtl:0: holds notes, expected an empty directory");
+  fs::remove(folder.path("rtl/notes"));
+  CHECK(slurp(top) == before);
+
+  // A directory in a file's place; the file that is written last shows that none is replaced.
+  fs::remove(top);
+  fs::create_directory(top);
+  const std::string list = folder.write("rtl/blysk_quadratic_q8.f", "old");
+  fails("--format q8" + to("rtl"), ".v:0: is a directory, expected a file to write");
+  CHECK(slurp(list) == "old");
+  fs::remove(top);
+
+  fs::create_symlink("/dev/full", top);
+  const auto names = [&] { return std::distance(fs::directory_iterator(folder.path("rtl")), {}); };
+  const auto count = names();
+  fails("--format q8" + to("rtl"), "cannot be written (No space left on device)");
+  CHECK(slurp(list) == "old");
+  CHECK(names() == count);
+  if (geteuid() != 0) {  // root may write everything
+    fs::permissions(folder.path("rtl"), fs::perms::owner_read | fs::perms::owner_exec);
+    fails("--format q8" + to("rtl"), "cannot be written (Permission denied)");
+    fs::permissions(folder.path("rtl"), fs::perms::owner_all);
   }
 }
 

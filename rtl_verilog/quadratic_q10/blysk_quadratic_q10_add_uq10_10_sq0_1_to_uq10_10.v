@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// Adder: s_o = a_i + b_i + carry_i, the carry being one ulp of s_o.
+// device quadratic, format q10, coefficient derived, BRDF clamped to [0, 1], exported from the SystemC model.
+`default_nettype none
+
+module blysk_quadratic_q10_add_uq10_10_sq0_1_to_uq10_10 (
+    input  wire [19:0] a_i,  // UQ10.10
+    input  wire signed [1:0] b_i,  // SQ0.1
+    input  wire carry_i,
+    output wire [19:0] s_o  // UQ10.10
+);
+
+  wire [10:0] shifted = {b_i, 9'b0};
+
+  assign s_o = a_i + {{9{shifted[10]}}, shifted} + {19'b0, carry_i};
+
+endmodule
+
+`default_nettype wire

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+// Multiplier: p_o = a_i * b_i, exact.
+// device quadratic, format q10, coefficient derived, BRDF clamped to [0, 1], exported from the SystemC model.
+`default_nettype none
+
+module blysk_quadratic_q10_mul_uq10_0_uq0_10_to_uq10_10 (
+    input  wire [9:0] a_i,  // UQ10.0, codes 1..1000
+    input  wire [9:0] b_i,  // UQ0.10
+    output wire [19:0] p_o  // UQ10.10
+);
+
+  assign p_o = {10'b0, a_i} * {10'b0, b_i};
+
+endmodule
+
+`default_nettype wire

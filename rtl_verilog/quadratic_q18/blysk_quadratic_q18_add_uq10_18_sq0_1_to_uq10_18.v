@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// Adder: s_o = a_i + b_i + carry_i, the carry being one ulp of s_o.
+// device quadratic, format q18, coefficient derived, BRDF clamped to [0, 1], exported from the SystemC model.
+`default_nettype none
+
+module blysk_quadratic_q18_add_uq10_18_sq0_1_to_uq10_18 (
+    input  wire [27:0] a_i,  // UQ10.18
+    input  wire signed [1:0] b_i,  // SQ0.1
+    input  wire carry_i,
+    output wire [27:0] s_o  // UQ10.18
+);
+
+  wire [18:0] shifted = {b_i, 17'b0};
+
+  assign s_o = a_i + {{9{shifted[18]}}, shifted} + {27'b0, carry_i};
+
+endmodule
+
+`default_nettype wire
