@@ -43,16 +43,22 @@ show_newest_line() {
 
 wants_help() { [ "${1:-}" = --help ] || [ "${1:-}" = -h ]; }
 
-# build [TARGET...]: builds the targets, or all. Configures build/ first where that was not done yet, or with another
-# SystemC than the environment names now.
-build() {
-  local systemc="SystemCLanguage_DIR=${SystemCLanguage_DIR:-} SYSTEMC_HOME=${SYSTEMC_HOME:-}"
+configure() {
   local configured=$root/build/systemc-of-environment
-  if [ ! -f "$root/build/build.ninja" ] || [ "$(cat "$configured" 2>/dev/null)" != "$systemc" ]; then
-    say "configuring build/"
-    rm -f "$configured"
-    logged configure cmake -S "$root" --preset release -U SystemCLanguage_DIR -U SYSTEMC_HOME || exit 1
-    echo "$systemc" >"$configured"
+  say "configuring build/"
+  rm -f "$configured"
+  logged configure cmake -S "$root" --preset release -U SystemCLanguage_DIR -U SYSTEMC_HOME || exit 1
+  echo "$systemc_of_environment" >"$configured"
+}
+systemc_of_environment="SystemCLanguage_DIR=${SystemCLanguage_DIR:-} SYSTEMC_HOME=${SYSTEMC_HOME:-}"
+
+# build [TARGET...]: builds the targets, or all. Configures build/ first where that was not done yet, was done with
+# another SystemC than the environment names now, or where files that it knew are gone since.
+build() {
+  if [ ! -f "$root/build/build.ninja" ] ||
+    [ "$(cat "$root/build/systemc-of-environment" 2>/dev/null)" != "$systemc_of_environment" ] ||
+    ! ninja -C "$root/build" -n build.ninja >/dev/null 2>&1; then
+    configure
   fi
   say "building"
   logged build cmake --build "$root/build" ${1:+--target "$@"} || exit 1

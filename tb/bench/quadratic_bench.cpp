@@ -14,14 +14,17 @@ class quadratic_engine final : public systemc_engine {
   void run(const batch& in, results& out) override { host_.run(in, out); }
 
   void trace(const std::string& path) override {
+    path_ = path + ".vcd";
     file_ = sc_core::sc_create_vcd_trace_file(path.c_str());
     file_->set_time_unit(1, sc_core::SC_PS);
     host_.pins.record(file_);
   }
 
-  void stop_trace() override {
-    if (file_ != nullptr) sc_core::sc_close_vcd_trace_file(file_);
+  bool stop_trace() override {
+    if (file_ == nullptr) return true;
+    sc_core::sc_close_vcd_trace_file(file_);
     file_ = nullptr;
+    return ends_at(path_, sc_core::sc_time_stamp());
   }
 
   std::uint64_t cycles() const override { return host_.cycles(); }
@@ -30,6 +33,7 @@ class quadratic_engine final : public systemc_engine {
  private:
   quadratic_host<F> host_;
   sc_core::sc_trace_file* file_ = nullptr;
+  std::string path_;
 };
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <string>
+#include <systemc>
 
 #include "tb/device.h"
 #include "tb/engine.h"
@@ -25,8 +26,12 @@ class systemc_engine : public clocked_engine {
   virtual void trace(const std::string& path) = 0;
 
   /// Ends the record and closes its file.
-  virtual void stop_trace() = 0;
+  /// \return  whether its end is in the file: SystemC does not say when a disk is full
+  virtual bool stop_trace() = 0;
 };
+
+/// Whether a VCD file, timescale 1 ps, ends as a whole line not longer than a clock period before `now`.
+bool ends_at(const std::string& vcd, const sc_core::sc_time& now);
 
 /// \throws std::invalid_argument for options that no device has
 std::unique_ptr<systemc_engine> make_systemc(const device_options& options);

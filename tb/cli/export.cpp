@@ -6,8 +6,8 @@
 #include <memory>
 
 #include "tb/cli/device_arguments.h"
-#include "tb/cli/files.h"
 #include "tb/cli/verbs.h"
+#include "tb/files.h"
 
 namespace blysk::cli {
 namespace {

@@ -5,8 +5,8 @@
 #include <memory>
 #include <stdexcept>
 
-#include "tb/cli/files.h"
 #include "tb/cli/verbs.h"
+#include "tb/files.h"
 #include "tb/golden/registry.h"
 
 namespace blysk::cli {
@@ -29,6 +29,7 @@ void run(const options& asked) {
   if (model == nullptr) {
     throw usage_error(fmt::format("model '{}' does not exist, expected a name from blysk list", asked.name));
   }
+  expect_different_files({"--points", "--results"}, {asked.points, asked.results});
   csv_reader rows(asked.points, model->header);
   output_file results(asked.results);
   fmt::memory_buffer text;

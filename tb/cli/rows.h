@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "tb/cli/files.h"
+#include "tb/files.h"
 #include "tb/engine.h"
 
 namespace blysk::cli {

@@ -11,10 +11,10 @@
 #include "tb/bit/quadratic.h"
 #include "tb/cli/device_arguments.h"
 #include "tb/cli/engines.h"
-#include "tb/cli/files.h"
 #include "tb/cli/rows.h"
 #include "tb/cli/verbs.h"
 #include "tb/cosim/verilator_engine.h"
+#include "tb/files.h"
 #include "tb/golden/lobes.h"
 
 namespace blysk::cli {
@@ -84,6 +84,7 @@ class simulation {
 };
 
 void check(const options& asked) {
+  expect_different_files({"--stimulus", "--results", "--vcd"}, {asked.stimulus, asked.results, asked.vcd});
   const bool hardware = asked.engine != "golden";
   if (hardware && asked.device.coefficient == "exact") {
     throw usage_error("--coefficient exact has no wires, expected published or derived, or engine golden");
@@ -116,36 +117,39 @@ void report(const options& asked, std::uint64_t rows, const simulation& simulate
 
 void run(const options& asked) {
   check(asked);
+  csv_reader rows(asked.stimulus, kStimulusHeader);
+  output_file results(asked.results);
   std::optional<output_file> waves;
-  {
-    std::optional<simulation> simulated;
-    csv_reader rows(asked.stimulus, kStimulusHeader);
-    output_file results(asked.results);
-    simulated.emplace(asked);
-    if (!asked.vcd.empty()) {
-      constexpr std::string_view ending = ".vcd";  // SystemC appends it
-      waves.emplace(asked.vcd, ".part.vcd");
-      const std::string& path = waves->temporary_path();
-      if (path.empty()) throw file_error(asked.vcd, 0, "is no regular file, expected one to write");
-      simulated->systemc()->trace(path.substr(0, path.size() - ending.size()));
-    }
-    batch block;
-    fmt::memory_buffer text;
-    fmt::format_to(std::back_inserter(text), "{}\n", kResultsHeader);
-    std::uint64_t count = 0;
-    for (;;) {
-      read_block(rows, simulated->fraction(), block);
-      if (block.size() == 0) break;
-      simulated->run(block, text);
-      count += block.size();
-      results.write({text.data(), text.size()});
-      text.clear();
-    }
-    results.write({text.data(), text.size()});
-    results.commit();
-    report(asked, count, *simulated);
+  simulation simulated(asked);
+  if (!asked.vcd.empty()) {
+    constexpr std::string_view ending = ".vcd";  // SystemC appends it
+    waves.emplace(asked.vcd, ".part.vcd");
+    const std::string& path = waves->temporary_path();
+    if (path.empty()) throw file_error(asked.vcd, 0, "is no regular file, expected one to write");
+    simulated.systemc()->trace(path.substr(0, path.size() - ending.size()));
   }
-  if (waves) waves->commit();
+  batch block;
+  fmt::memory_buffer text;
+  fmt::format_to(std::back_inserter(text), "{}\n", kResultsHeader);
+  std::uint64_t count = 0;
+  for (;;) {
+    read_block(rows, simulated.fraction(), block);
+    if (block.size() == 0) break;
+    simulated.run(block, text);
+    count += block.size();
+    results.write({text.data(), text.size()});
+    text.clear();
+  }
+  results.write({text.data(), text.size()});
+  results.close();
+  if (waves) {
+    if (!simulated.systemc()->stop_trace()) {
+      throw file_error(asked.vcd, 0, "cannot be written to its end, expected room for the waves");
+    }
+    waves->commit();
+  }
+  results.commit();
+  report(asked, count, simulated);
 }
 
 }  // namespace

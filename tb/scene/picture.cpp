@@ -23,15 +23,19 @@ picture difference(const picture& a, const picture& b, int gain) {
   return result;
 }
 
-void write_png(const picture& image, const std::filesystem::path& path) {
+std::string png_of(const picture& image) {
   png_image png{};
   png.version = PNG_IMAGE_VERSION;
   png.width = static_cast<png_uint_32>(image.width);
   png.height = static_cast<png_uint_32>(image.height);
   png.format = PNG_FORMAT_RGB;
-  if (png_image_write_to_file(&png, path.c_str(), 0, image.rgb.data(), 0, nullptr) == 0) {
-    throw std::runtime_error(path.string() + ": cannot be written (" + png.message + ")");
+  png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(png);
+  std::string bytes(size, '\0');
+  if (png_image_write_to_memory(&png, bytes.data(), &size, 0, image.rgb.data(), 0, nullptr) == 0) {
+    throw std::runtime_error(std::string("a picture cannot be made: ") + png.message);
   }
+  bytes.resize(size);
+  return bytes;
 }
 
 }  // namespace blysk::scene

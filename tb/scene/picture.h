@@ -3,7 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <filesystem>
+#include <string>
 #include <vector>
 
 namespace blysk::scene {
@@ -29,8 +29,8 @@ void paste(const picture& tile, picture& sheet, int x, int y);
 /// |a - b| per channel, `gain` times, at most 255. Both pictures have the same size.
 picture difference(const picture& a, const picture& b, int gain);
 
-/// Writes a PNG.
-/// \throws std::runtime_error with the path and libpng's reason
-void write_png(const picture& image, const std::filesystem::path& path);
+/// The bytes of a PNG file.
+/// \throws std::runtime_error with libpng's reason
+std::string png_of(const picture& image);
 
 }  // namespace blysk::scene

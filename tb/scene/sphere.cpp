@@ -8,11 +8,15 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <cstring>
 #include <filesystem>
-#include <fstream>
+#include <iterator>
+#include <memory>
+#include <set>
 #include <systemc>
 
 #include "tb/bench/systemc_engine.h"
+#include "tb/files.h"
 #include "tb/golden/lobes.h"
 #include "tb/golden/sphere.h"
 #include "tb/progress.h"
@@ -47,6 +51,11 @@ struct sample {
   double cos_delta;  // N.H, [0, 1]; 0 where the light is behind the surface
 };
 
+/// The exponent of the waves: in the middle of those asked for.
+int traced_exponent(const options& asked) {
+  return asked.exponents[asked.exponents.size() / 2];
+}
+
 std::vector<sample> sample_sphere(const golden::sphere_scene& ball) {
   const auto half_vec = golden::half_vector(ball.light, ball.view);
   std::vector<sample> samples;
@@ -79,7 +88,7 @@ rgb scaled(double brdf) {
 
 /// Writes every sample with exponent n into the device and reads the colours back at the valid edge.
 results compute_highlights(bench::systemc_engine& device, const std::vector<sample>& samples, int n,
-                           double scale, bool traced) {
+                           double scale) {
   batch writes;
   writes.resize(samples.size());
   std::fill(writes.n.begin(), writes.n.end(), static_cast<std::uint16_t>(n));
@@ -93,8 +102,7 @@ results compute_highlights(bench::systemc_engine& device, const std::vector<samp
   results all, part;
   progress shown(fmt::format("simulating n = {}", n), writes.size());
   for (std::size_t first = 0; first < writes.size();) {
-    const std::size_t size =
-        std::min<std::size_t>(traced && first == 0 ? kTracedWrites : 16384, writes.size() - first);
+    const std::size_t size = std::min<std::size_t>(16384, writes.size() - first);
     const auto slice = [first, size](const auto& column) {
       const auto begin = column.begin() + static_cast<std::ptrdiff_t>(first);
       return std::decay_t<decltype(column)>(begin, begin + static_cast<std::ptrdiff_t>(size));
@@ -102,7 +110,6 @@ results compute_highlights(bench::systemc_engine& device, const std::vector<samp
     device.run({slice(writes.n), slice(writes.cos_delta), slice(writes.red_ks), slice(writes.green_ks),
                 slice(writes.blue_ks)},
                part);
-    if (traced && first == 0) device.stop_trace();
     all.red.insert(all.red.end(), part.red.begin(), part.red.end());
     all.green.insert(all.green.end(), part.green.begin(), part.green.end());
     all.blue.insert(all.blue.end(), part.blue.begin(), part.blue.end());
@@ -125,11 +132,10 @@ struct outcome {
   int largest;            // largest difference to Blinn in a channel
 };
 
-void write_report(const options& asked, const std::vector<outcome>& outcomes, std::size_t pixels,
-                  const bench::systemc_engine& device, double host_s) {
+std::string report_text(const options& asked, const std::vector<outcome>& outcomes, std::size_t pixels,
+                        const bench::systemc_engine& device, double host_s) {
   const double simulated_ms = static_cast<double>(device.cycles()) * bench::kClockPeriodNs * 1e-6;
-  std::ofstream report(asked.output / "report.md");
-  report << fmt::format(
+  std::string report = fmt::format(
       "# A sphere through the device of UA 60553\n\n"
       "`{} {}` in SystemC, coefficient {}{}: a sphere of {} pixels in a picture of {} x {}, once per "
       "exponent; every\n"
@@ -149,18 +155,43 @@ void write_report(const options& asked, const std::vector<outcome>& outcomes, st
       device.cycles(), simulated_ms, 1e3 / bench::kClockPeriodNs, host_s,
       static_cast<double>(device.writes()) / host_s);
   for (const outcome& o : outcomes) {
-    report << fmt::format("| {} | {:.3e} | {:.3e} | {} |\n", o.n, o.nmse_blinn, o.nmse_quadratic, o.largest);
+    report += fmt::format("| {} | {:.3e} | {:.3e} | {} |\n", o.n, o.nmse_blinn, o.nmse_quadratic, o.largest);
   }
-  report << fmt::format(
+  report += fmt::format(
       "\n`sphere.png`: a column per exponent ({}); rows: the device, Blinn, {} times their difference.\n"
-      "`sphere_n*.png`: the device's pictures alone. `quadratic.vcd`: the first {} writes.\n",
-      fmt::join(asked.exponents, ", "), kDifferenceGain, kTracedWrites);
-  report.close();
-  if (!report) throw std::runtime_error((asked.output / "report.md").string() + ": cannot be written");
+      "`sphere_n*.png`: the device's pictures alone. `quadratic.vcd`: the first writes, {} pixels of the row "
+      "through the\n"
+      "highlight at n = {}.\n",
+      fmt::join(asked.exponents, ", "), kDifferenceGain, kTracedWrites, traced_exponent(asked));
+  return report;
+}
+
+/// The samples of the row through the highlight that are next to its middle.
+std::vector<sample> row_through_highlight(const std::vector<sample>& samples) {
+  const auto brighter = [](const sample& a, const sample& b) { return a.cos_delta < b.cos_delta; };
+  const sample middle = *std::max_element(samples.begin(), samples.end(), brighter);
+  constexpr int kHalf = static_cast<int>(kTracedWrites / 2);
+  std::vector<sample> row;
+  std::copy_if(samples.begin(), samples.end(), std::back_inserter(row), [&](const sample& s) {
+    return s.y == middle.y && s.x >= middle.x - kHalf && s.x < middle.x + kHalf;
+  });
+  return row;
 }
 
 void run(const options& asked) {
-  std::filesystem::create_directories(asked.output);
+  const std::set<int> different(asked.exponents.begin(), asked.exponents.end());
+  if (different.size() != asked.exponents.size())
+    throw usage_error("--exponents has one twice, expected different ones");
+  const output_directory folder(asked.output.string());
+  const auto place = [&](const std::string& name) { return (asked.output / name).string(); };
+  // Opened first, so that none is written if one cannot be.
+  output_file waves(place("quadratic.vcd"), ".part.vcd");
+  output_file report(place("report.md"));
+  output_file sheet_file(place("sphere.png"));
+  std::vector<std::unique_ptr<output_file>> picture_files;
+  for (const int n : asked.exponents)
+    picture_files.push_back(std::make_unique<output_file>(place(fmt::format("sphere_n{}.png", n))));
+
   golden::sphere_scene ball;
   ball.side = asked.side;
   const std::vector<sample> samples = sample_sphere(ball);
@@ -168,14 +199,17 @@ void run(const options& asked) {
   const auto line = asked.device.coefficient == "published" ? golden::coefficient_line::published
                                                             : golden::coefficient_line::derived;
   const auto device = bench::make_systemc(asked.device);
-  device->trace((asked.output / "quadratic").string());
+  device->trace(waves.temporary_path().substr(0, waves.temporary_path().size() - std::strlen(".vcd")));
+  compute_highlights(*device, row_through_highlight(samples), traced_exponent(asked), scale);
+  if (!device->stop_trace())
+    throw file_error(place("quadratic.vcd"), 0, "cannot be written to its end, expected room for it");
 
   picture sheet(asked.side * static_cast<int>(asked.exponents.size()), 3 * asked.side);
   std::vector<outcome> outcomes;
   double host_s = 0;
   for (const int n : asked.exponents) {
     const auto started = std::chrono::steady_clock::now();
-    const results colours = compute_highlights(*device, samples, n, scale, outcomes.empty());
+    const results colours = compute_highlights(*device, samples, n, scale);
     host_s += std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
     const auto real = [scale](std::int64_t raw) { return static_cast<double>(raw) / scale; };
     const picture from_device = shade(asked.side, samples, [&](std::size_t i) {
@@ -195,15 +229,21 @@ void run(const options& asked) {
     scene::paste(from_device, sheet, x, 0);
     scene::paste(blinn, sheet, x, asked.side);
     scene::paste(scene::difference(blinn, from_device, kDifferenceGain), sheet, x, 2 * asked.side);
-    scene::write_png(from_device, asked.output / fmt::format("sphere_n{}.png", n));
+    picture_files[outcomes.size() - 1]->write(scene::png_of(from_device));
+    picture_files[outcomes.size() - 1]->close();
   }
-  scene::write_png(sheet, asked.output / "sphere.png");
-  write_report(asked, outcomes, samples.size(), *device, host_s);
+  sheet_file.write(scene::png_of(sheet));
+  sheet_file.close();
+  report.write(report_text(asked, outcomes, samples.size(), *device, host_s));
+  report.close();
+  for (const auto& file : picture_files) file->commit();
+  for (output_file* file : {&waves, &sheet_file, &report}) file->commit();
 
   for (const outcome& o : outcomes) fmt::print("n = {:4}   NMSE to Blinn {:.3e}\n", o.n, o.nmse_blinn);
   for (const char* file : {"sphere.png", "report.md", "quadratic.vcd"}) {
-    fmt::print("{}\n", (asked.output / file).string());
+    fmt::print("{}\n", place(file));
   }
+  fmt::print("see the waves with: scripts/wave {}\n", place("quadratic.vcd"));
 }
 
 }  // namespace

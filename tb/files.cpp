@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tb/cli/files.h"
+#include "tb/files.h"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -9,7 +9,7 @@
 #include <cstring>
 #include <filesystem>
 
-namespace blysk::cli {
+namespace blysk {
 namespace {
 
 // Fields are a few characters long: the loops here are faster than the searches of the library.
@@ -20,9 +20,17 @@ std::string_view trim(std::string_view text) {
   return text;
 }
 
+/// The text as a message can hold it: control bytes escaped, cut between two characters of UTF-8.
 std::string shown(std::string_view text) {
   constexpr std::size_t kLongest = 40;
-  return text.size() <= kLongest ? std::string(text) : std::string(text.substr(0, kLongest)) + "...";
+  std::size_t size = std::min(text.size(), kLongest);
+  while (size < text.size() && size > 0 && (text[size] & 0xC0) == 0x80) --size;
+  std::string result;
+  for (const char c : text.substr(0, size)) {
+    const auto byte = static_cast<unsigned char>(c);
+    result += byte < 0x20 || byte == 0x7F ? fmt::format("\\x{:02X}", byte) : std::string(1, c);
+  }
+  return size < text.size() ? result + "..." : result;
 }
 
 template <class Visitor>
@@ -38,25 +46,26 @@ void for_each_field(std::string_view text, Visitor&& visitor) {
 }
 
 constexpr std::size_t kBufferBytes = std::size_t{1} << 18;
+constexpr std::size_t kLongestLine = std::size_t{1} << 20;
 
 }  // namespace
 
 usage_error file_error(const std::string& path, std::size_t line, std::string_view what) {
-  return usage_error(fmt::format("{}:{}: {}", path == "-" ? "standard input" : path, line, what));
+  return usage_error(fmt::format("{}:{}: {}", path, line, what));
 }
 
 std::string system_reason() {
   return errno != 0 ? std::strerror(errno) : "unknown reason";
 }
 
-csv_reader::csv_reader(std::string path, std::string_view header)
-    : path_(std::move(path)), buffer_(kBufferBytes) {
+csv_reader::csv_reader(const std::string& path, std::string_view header)
+    : path_(path == "-" ? "standard input" : path), buffer_(kBufferBytes) {
   for_each_field(header, [&](std::string_view name) { names_.emplace_back(name); });
-  if (std::error_code ignored; std::filesystem::is_directory(path_, ignored)) {
+  if (std::error_code ignored; std::filesystem::is_directory(path, ignored)) {
     throw file_error(path_, 0, "is a directory, expected a CSV file");
   }
   errno = 0;
-  file_.reset(path_ == "-" ? fdopen(dup(STDIN_FILENO), "rb") : std::fopen(path_.c_str(), "rb"));
+  file_.reset(path == "-" ? fdopen(dup(STDIN_FILENO), "rb") : std::fopen(path.c_str(), "rb"));
   if (!file_)
     throw file_error(path_, 0, fmt::format("cannot be read ({}), expected a CSV file", system_reason()));
   if (!read_line()) throw file_error(path_, 1, fmt::format("is empty, expected the header {}", header));
@@ -97,6 +106,10 @@ bool csv_reader::read_line() {
       break;
     }
     line_.append(start, end_ - begin_);
+    if (line_.size() > kLongestLine) {
+      throw file_error(path_, line_number_ + 1,
+                       fmt::format("is longer than {} bytes, expected a row of CSV", kLongestLine));
+    }
     errno = 0;
     begin_ = 0;
     end_ = std::fread(buffer_.data(), 1, buffer_.size(), file_.get());
@@ -129,21 +142,30 @@ usage_error csv_reader::error(std::string_view what) const {
   return file_error(path_, line_number_, what);
 }
 
-output_file::output_file(std::string path, std::string_view ending) : path_(std::move(path)) {
+output_file::output_file(const std::string& path, std::string_view ending)
+    : path_(path == "-" ? "standard output" : path) {
+  namespace fs = std::filesystem;
   std::error_code ignored;
-  const auto status = std::filesystem::status(path_, ignored);
+  const auto status = fs::status(path, ignored);
+  // What a link leads to is written, not the link. /dev/stdout and the like are written where they are.
+  const bool link = fs::is_symlink(fs::symlink_status(path, ignored));
+  const bool special = path.starts_with("/dev/") || path.starts_with("/proc/");
   errno = 0;
-  if (path_ == "-") {
+  if (path == "-") {
     file_.reset(fdopen(dup(STDOUT_FILENO), "wb"));
-  } else if (std::filesystem::is_directory(status)) {
+  } else if (fs::is_directory(status)) {
     throw file_error(path_, 0, "is a directory, expected a file to write");
-  } else if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
-    file_.reset(std::fopen(path_.c_str(), "wb"));
+  } else if (special || (fs::exists(status) && !fs::is_regular_file(status))) {
+    file_.reset(std::fopen(path.c_str(), "wb"));
   } else {
-    temporary_ = fmt::format("{}.{}{}", path_, getpid(), ending);
+    target_ = link ? fs::weakly_canonical(path, ignored).string() : path;
+    temporary_ = fmt::format("{}.{}{}", target_, getpid(), ending);
     file_.reset(std::fopen(temporary_.c_str(), "wb"));
+    if (file_ && fs::exists(status)) fs::permissions(temporary_, status.permissions(), ignored);
   }
-  if (!file_) throw file_error(path_, 0, fmt::format("cannot be written ({})", system_reason()));
+  if (!file_)
+    throw file_error(path_, 0,
+                     fmt::format("cannot be written ({}), expected a file to write", system_reason()));
 }
 
 output_file::~output_file() {
@@ -169,53 +191,61 @@ void output_file::close() {
 void output_file::commit() {
   close();
   if (temporary_.empty()) return;
-  if (std::rename(temporary_.c_str(), path_.c_str()) != 0) {
+  if (std::rename(temporary_.c_str(), target_.c_str()) != 0) {
     throw file_error(path_, 0, fmt::format("cannot be written ({})", system_reason()));
   }
   temporary_.clear();
 }
 
-namespace {
-
-/// A directory with those above it. What it made is removed again while it is empty.
-class directory {
- public:
-  explicit directory(const std::string& path) {
-    std::error_code error;
-    std::filesystem::path above = std::filesystem::absolute(path, error);
-    if (!above.has_filename()) above = above.parent_path();  // a slash at its end
-    std::vector<std::filesystem::path> missing;
-    for (; !error && !std::filesystem::exists(above, error) && !error; above = above.parent_path())
-      missing.push_back(above);
-    if (!error && !std::filesystem::is_directory(above, error))
-      error = std::make_error_code(std::errc::not_a_directory);
-    while (!error && !missing.empty()) {
-      if (std::filesystem::create_directory(missing.back(), error)) made_.push_back(missing.back());
-      missing.pop_back();
-    }
-    if (error) {
-      remove();
-      throw file_error(
-          path, 0, fmt::format("cannot be made ({}), expected a directory to write into", error.message()));
-    }
-  }
-  ~directory() { remove(); }
-  directory(const directory&) = delete;
-  directory& operator=(const directory&) = delete;
-
- private:
-  void remove() const {
+void expect_different_files(const std::vector<std::string>& options, const std::vector<std::string>& paths) {
+  const auto leads_to = [](const std::string& path) {
     std::error_code ignored;
-    for (auto last = made_.rbegin(); last != made_.rend(); ++last) std::filesystem::remove(*last, ignored);
+    return path.empty() || path == "-" || path.starts_with("/dev/")
+               ? std::filesystem::path()
+               : std::filesystem::weakly_canonical(std::filesystem::absolute(path), ignored);
+  };
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    const auto place = leads_to(paths[i]);
+    for (std::size_t j = 0; j < i; ++j) {
+      if (!place.empty() && place == leads_to(paths[j])) {
+        throw file_error(
+            paths[i], 0,
+            fmt::format("is given by {} and {}, expected different files", options[j], options[i]));
+      }
+    }
   }
+}
 
-  std::vector<std::filesystem::path> made_;
-};
+output_directory::output_directory(const std::string& path) {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  fs::path above = fs::absolute(path, error);
+  if (!above.has_filename()) above = above.parent_path();  // a slash at its end
+  std::vector<fs::path> missing;
+  for (; !error && !fs::exists(above, error) && !error; above = above.parent_path()) missing.push_back(above);
+  if (!error && !fs::is_directory(above, error)) error = std::make_error_code(std::errc::not_a_directory);
+  while (!error && !missing.empty()) {
+    if (fs::create_directory(missing.back(), error)) made_.push_back(missing.back());
+    missing.pop_back();
+  }
+  if (error) {
+    remove();
+    throw file_error(path, 0,
+                     fmt::format("cannot be made ({}), expected a directory to write into", error.message()));
+  }
+}
 
-}  // namespace
+output_directory::~output_directory() {
+  remove();
+}
+
+void output_directory::remove() const {
+  std::error_code ignored;
+  for (auto last = made_.rbegin(); last != made_.rend(); ++last) std::filesystem::remove(*last, ignored);
+}
 
 void write_directory(const std::string& path, const std::map<std::string, std::string>& texts) {
-  const directory place(path);
+  const output_directory place(path);
   std::error_code error;
   for (const auto& entry : std::filesystem::directory_iterator(path, error)) {
     const std::string name = entry.path().filename().string();
@@ -239,4 +269,4 @@ void write_directory(const std::string& path, const std::map<std::string, std::s
   for (const auto& file : files) file->commit();
 }
 
-}  // namespace blysk::cli
+}  // namespace blysk

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Input and output files of the command line: what is wrong with one is said in one line, and no half-written file
-/// stays behind.
+/// Input and output files of the programs: what is wrong with one is said in one line, and no half-written file stays
+/// behind.
 #pragma once
 
 #include <cstddef>
 #include <cstdio>
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <stdexcept>
@@ -12,7 +13,7 @@
 #include <string_view>
 #include <vector>
 
-namespace blysk::cli {
+namespace blysk {
 
 /// Bad use or bad input: the program prints "blysk: what()" and exits with status 2.
 class usage_error : public std::runtime_error {
@@ -37,8 +38,8 @@ class csv_reader {
  public:
   /// \param path    "-" is standard input
   /// \param header  column names, separated by commas
-  /// \throws usage_error if the file cannot be read or its first line is not that header
-  csv_reader(std::string path, std::string_view header);
+  /// \throws usage_error if the file cannot be read or its first line is not that header; lines end within 1 MiB
+  csv_reader(const std::string& path, std::string_view header);
 
   /// Reads the next row; false at the end of the file.
   /// \throws usage_error if the row has more or fewer fields than the header
@@ -72,12 +73,13 @@ class csv_reader {
 };
 
 /// A result file: written beside its place and moved there by commit(), so that it is there as a whole or not at all.
-/// "-" is standard output; a device such as a terminal is written as it stands.
+/// "-" is standard output; a device such as a terminal is written as it stands, and so is what lies in /dev and /proc.
+/// A file that is replaced keeps its permissions, and a link its place.
 class output_file {
  public:
   /// \param ending  what the temporary name beside `path` ends with
   /// \throws usage_error if the file cannot be created
-  explicit output_file(std::string path, std::string_view ending = ".part");
+  explicit output_file(const std::string& path, std::string_view ending = ".part");
   ~output_file();
   output_file(const output_file&) = delete;
   output_file& operator=(const output_file&) = delete;
@@ -95,10 +97,31 @@ class output_file {
   const std::string& temporary_path() const { return temporary_; }
 
  private:
-  std::string path_;
+  std::string path_;       // as messages name it
+  std::string target_;     // path_, or what it links to
   std::string temporary_;  // empty if written in place
   file_handle file_;
   std::size_t line_ = 1;
+};
+
+/// \throws usage_error if two of the paths lead to the same file, or the same place for one; "-" and "" are none
+/// \param options  what the paths are given by, for the message: "--results"
+void expect_different_files(const std::vector<std::string>& options, const std::vector<std::string>& paths);
+
+/// A directory to write into, made with those above it if it does not exist. What was made is removed again if it is
+/// empty at the end.
+class output_directory {
+ public:
+  /// \throws usage_error if it cannot be made
+  explicit output_directory(const std::string& path);
+  ~output_directory();
+  output_directory(const output_directory&) = delete;
+  output_directory& operator=(const output_directory&) = delete;
+
+ private:
+  void remove() const;
+
+  std::vector<std::filesystem::path> made_;
 };
 
 /// Writes files into a directory, which is made if it does not exist: all of them, or none if one cannot be written.
@@ -106,4 +129,4 @@ class output_file {
 /// \throws usage_error if they cannot be written, or the directory holds anything else: it would be taken for a part
 void write_directory(const std::string& path, const std::map<std::string, std::string>& texts);
 
-}  // namespace blysk::cli
+}  // namespace blysk
