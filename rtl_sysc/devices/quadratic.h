@@ -121,7 +121,7 @@ struct quadratic : sc_core::sc_module {
   void pins(Reader& reader) {
     reader.pin(clk, "samples the write strobes");
     reader.pin(rst_n, "synchronous");
-    reader.pin(n_i, "16: n, 1..1000", typename F::n{});
+    reader.pin(n_i, "16: n", typename F::n{});
     reader.pin(n_we_i, "15: write rg1");
     reader.pin(cos_i, "18: cos(delta), 0..1", typename F::cos_delta{});
     reader.pin(cos_we_i, "17: write rg2, by its trailing edge");

@@ -5,7 +5,7 @@
 module blysk_quadratic_q24 (
     input  wire clk,  // samples the write strobes
     input  wire rst_n,  // synchronous
-    input  wire [9:0] n_i,  // 16: n, 1..1000, UQ10.0, codes 1..1000
+    input  wire [9:0] n_i,  // 16: n, UQ10.0, codes 1..1000
     input  wire n_we_i,  // 15: write rg1
     input  wire [24:0] cos_i,  // 18: cos(delta), 0..1, UQ1.24, codes 0..16777216
     input  wire cos_we_i,  // 17: write rg2, by its trailing edge
@@ -40,7 +40,9 @@ module blysk_quadratic_q24 (
   wire [24:0] brdf;  // quant11: UQ1.24, codes 0..16777216
 
   blysk_quadratic_q24_reg_level_uq10_0 rg1 (.clk(clk), .rst_n(rst_n), .d_i(n_i), .we_i(n_we_i), .q_o(n));
-  blysk_quadratic_q24_reg_trailing_uq1_24 rg2 (.clk(clk), .rst_n(rst_n), .d_i(cos_i), .we_i(cos_we_i), .q_o(cos_delta));
+  blysk_quadratic_q24_reg_trailing_uq1_24 rg2 (
+      .clk(clk), .rst_n(rst_n), .d_i(cos_i), .we_i(cos_we_i), .q_o(cos_delta)
+  );
   blysk_quadratic_q24_reg_level_uq8_0 rg3 (.clk(clk), .rst_n(rst_n), .d_i(r_i), .we_i(r_we_i), .q_o(r_ks));
   blysk_quadratic_q24_reg_level_uq8_0 rg4 (.clk(clk), .rst_n(rst_n), .d_i(g_i), .we_i(g_we_i), .q_o(g_ks));
   blysk_quadratic_q24_reg_level_uq8_0 rg5 (.clk(clk), .rst_n(rst_n), .d_i(b_i), .we_i(b_we_i), .q_o(b_ks));
@@ -49,12 +51,18 @@ module blysk_quadratic_q24 (
   blysk_quadratic_q24_constant_uq1_0 #(.RAW(1'd1)) carry28 (.y_o(carry28_in));  // 1
   blysk_quadratic_q24_constant_uq1_0 #(.RAW(1'd0)) carry30 (.y_o(carry30_in));  // 0
   blysk_quadratic_q24_mul_uq10_0_uq0_20_to_uq10_20 mul6 (.a_i(n), .b_i(slope), .p_o(slope_n));
-  blysk_quadratic_q24_add_uq10_20_sq0_1_to_uq10_20 add15 (.a_i(slope_n), .b_i(offset), .carry_i(carry30_in), .s_o(a));
+  blysk_quadratic_q24_add_uq10_20_sq0_1_to_uq10_20 add15 (
+      .a_i(slope_n), .b_i(offset), .carry_i(carry30_in), .s_o(a)
+  );
   blysk_quadratic_q24_mul_uq1_24_uq1_24_to_uq1_35 mul7 (.a_i(cos_delta), .b_i(cos_delta), .p_o(cos2));
   blysk_quadratic_q24_inverter_bank_uq1_24_to_sq1_35 inv8 (.a_i(cos_delta), .y_o(cos_inv));
-  blysk_quadratic_q24_add_uq1_35_sq1_35_to_sqm2_35 add9 (.a_i(cos2), .b_i(cos_inv), .carry_i(carry28_in), .s_o(cos2_minus_cos));
+  blysk_quadratic_q24_add_uq1_35_sq1_35_to_sqm2_35 add9 (
+      .a_i(cos2), .b_i(cos_inv), .carry_i(carry28_in), .s_o(cos2_minus_cos)
+  );
   blysk_quadratic_q24_mul_uq10_20_sqm2_35_to_sq8_55 mul10 (.a_i(a), .b_i(cos2_minus_cos), .p_o(a_times_diff));
-  blysk_quadratic_q24_add_sq8_55_uq1_24_to_sq8_55 add11 (.a_i(a_times_diff), .b_i(cos_delta), .carry_i(carry30_in), .s_o(parabola));
+  blysk_quadratic_q24_add_sq8_55_uq1_24_to_sq8_55 add11 (
+      .a_i(a_times_diff), .b_i(cos_delta), .carry_i(carry30_in), .s_o(parabola)
+  );
   blysk_quadratic_q24_quantise_sq8_55_to_uq1_24_clamp quant11 (.a_i(parabola), .y_o(brdf));
   blysk_quadratic_q24_mul_uq1_24_uq8_0_to_uq8_24 mul12 (.a_i(brdf), .b_i(r_ks), .p_o(r_o));
   blysk_quadratic_q24_mul_uq1_24_uq8_0_to_uq8_24 mul13 (.a_i(brdf), .b_i(g_ks), .p_o(g_o));

@@ -111,7 +111,13 @@ class writer {
       if (channel != nullptr) nets.push_back({channel, {child->basename(), role::wire, {}}});
     }
     for (const sc_core::sc_port_base* port : ports_of(module)) {
-      find(nets, *port).declared.where = role::input;  // until a part drives it
+      net& bound = find(nets, *port);
+      if (bound.declared.name != port->basename()) {
+        throw std::logic_error(
+            fmt::format("{} and {} of {} are bound to one net, and what lies below them cannot be told apart",
+                        bound.declared.name, port->basename(), module.name()));
+      }
+      bound.declared.where = role::input;  // until a part drives it
     }
     return nets;
   }
@@ -147,7 +153,11 @@ class writer {
     }
     const auto [values, meaning] =
         part != nullptr ? parameter_values(*part) : std::pair<std::string, std::string>{};
-    return fmt::format("  {}{} {} ({});{}\n", type, values, module.basename(), connections, comment(meaning));
+    const std::string head = fmt::format("  {}{} {} (", type, values, module.basename());
+    constexpr std::size_t kLongest = 110;
+    const bool is_long = head.size() + connections.size() > kLongest;
+    return fmt::format("{}{}{}{});{}\n", head, is_long ? "\n      " : "", connections, is_long ? "\n  " : "",
+                       comment(meaning));
   }
 
   static void connect(net& bound, const declaration& declared, const std::string& instance) {

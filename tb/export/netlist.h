@@ -37,9 +37,9 @@ class parts_list {
 /// \param name    of the top module
 /// \param origin  comment lines at the head of every file
 /// \param notes   on the top module's ports
-/// \throws std::logic_error for a leaf module that is not in the parts list, a net with no driver, more than one, no
-///         reader or two formats, for a port that its block does not describe, and for two modules of one type that
-///         are not the same
+/// \throws std::logic_error for a leaf module that is not in the parts list, a port that its block does not describe, a
+///         net with no driver, more than one, no reader or two formats, a module of modules that has two ports on one
+///         net, and two modules of one type that are not the same
 files netlist(const sc_core::sc_module& top, const std::string& name, const std::string& origin,
               const std::map<std::string, std::string>& notes, const parts_list& parts);
 

@@ -273,6 +273,53 @@ struct two_holders : sc_core::sc_module {
 
 }  // namespace
 
+namespace {
+
+/// Both inputs of a module on one net: the ports of the adder inside it have the same channel behind them.
+struct inside : sc_core::sc_module {
+  sc_core::sc_in<word::raw_t> SC_NAMED(a_i);
+  sc_core::sc_in<word::raw_t> SC_NAMED(b_i);
+  sc_core::sc_out<toy::total::raw_t> SC_NAMED(y_o);
+  constant<uq<1, 0>> carry1;
+  add<word, word, toy::total> SC_NAMED(add2);
+  sc_core::sc_signal<uq<1, 0>::raw_t> SC_NAMED(carry);
+
+  SC_CTOR(inside) : carry1("carry1", 0) {
+    carry1.y_o(carry);
+    add2.a_i(a_i);
+    add2.b_i(b_i);
+    add2.carry_i(carry);
+    add2.s_o(y_o);
+  }
+};
+
+struct doubled : sc_core::sc_module {
+  sc_core::sc_in<word::raw_t> SC_NAMED(a_i);
+  sc_core::sc_out<toy::total::raw_t> SC_NAMED(y_o);
+  inside SC_NAMED(sum);
+
+  SC_CTOR(doubled) {
+    sum.a_i(a_i);
+    sum.b_i(a_i);
+    sum.y_o(y_o);
+  }
+
+  template <class Reader>
+  void pins(Reader& reader) {
+    reader.pin(a_i, "", word{});
+    reader.pin(y_o, "", toy::total{});
+  }
+  auto blocks() const { return std::tie(sum.carry1, sum.add2); }
+};
+
+}  // namespace
+
+TEST_CASE("a module of modules with two ports on one net is refused", "[export]") {
+  const verilog::model device(std::make_unique<doubled>("doubled"), "");
+  CHECK_THROWS_WITH(verilog::export_files(device, "doubled", ""),
+                    Catch::Matchers::StartsWith("a_i and b_i of doubled.sum are bound to one net"));
+}
+
 TEST_CASE("two modules of one type that differ are refused", "[export]") {
   const verilog::model device(std::make_unique<two_holders>("two_holders"), "");
   CHECK_THROWS_AS(verilog::export_files(device, "two_holders", ""), std::logic_error);
