@@ -26,15 +26,7 @@ int main(int argc, char** argv) {
   cosim::verilated_quadratic<device> verilog;
   results out;
   cosim::for_all_inputs(8, [&](const batch& in) { verilog.run(in, out); });
-  cosim::strobe_sequence strobes(8);
-  cosim::pins values;
-  for (int cycle = 0; cycle < 20'000; ++cycle) {
-    values = strobes.next(values);
-    for (const bool clk : {false, true}) {
-      values.clk = clk;
-      verilog.apply(values);
-    }
-  }
+  cosim::play_strobes(verilog, 8, [](const cosim::outputs&) {});
   Verilated::threadContextp()->coveragep()->write(argv[1]);
   return 0;
 }
