@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <iterator>
 
 #include "tb/bit/quadratic.h"
@@ -116,6 +117,9 @@ int run(int argc, char** argv) {
     throw std::invalid_argument("usage: device_errors --output|--check FOLDER");
   }
   const std::string folder = argv[2];
+  if (!std::filesystem::is_directory(folder)) {
+    throw std::runtime_error(folder + ": is no folder, expected one for the tables");
+  }
   const std::string name = folder + "/device_errors";
   const tables text = measure_all();
   if (action == "--output") {
