@@ -36,6 +36,8 @@ struct results {
     green.resize(rows);
     blue.resize(rows);
   }
+
+  friend bool operator==(const results&, const results&) = default;
 };
 
 /// One way to compute a device on integers. Results come in the order of the writes.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// coverage_verilog FILE.dat: line and toggle coverage of the exported q8 device under what the regression sends: all n at all
-// cosines, and strobes in every order.
+// coverage_qF FILE.dat: line and toggle coverage of the exported device under what the regression sends: all n at all
+// cosines, up to 12 fraction bits, random inputs and corners beyond, and strobes in every order.
 #include <cstdio>
 
 #include "Vcovered.h"
@@ -9,6 +9,8 @@
 #include "tb/cosim/verilated_quadratic.h"
 
 namespace {
+
+constexpr int kFraction = BLYSK_FRACTION;
 
 struct device {
   Vcovered top;
@@ -20,21 +22,19 @@ struct device {
 int main(int argc, char** argv) {
   using namespace blysk;
   if (argc != 2) {
-    std::fputs("usage: coverage_verilog FILE.dat\n", stderr);
+    std::fputs("usage: coverage_qF FILE.dat\n", stderr);
     return 2;
   }
   cosim::verilated_quadratic<device> verilog;
   results out;
-  cosim::for_all_inputs(8, [&](const batch& in) { verilog.run(in, out); });
-  cosim::strobe_sequence strobes(8);
-  cosim::pins values;
-  for (int cycle = 0; cycle < 20'000; ++cycle) {
-    values = strobes.next(values);
-    for (const bool clk : {false, true}) {
-      values.clk = clk;
-      verilog.apply(values);
-    }
+  const auto run = [&](const batch& in) { verilog.run(in, out); };
+  if constexpr (kFraction <= 12) {
+    cosim::for_all_inputs(kFraction, run);
+  } else {
+    cosim::for_random_inputs(kFraction, 2'000'000, 1, run);
+    cosim::for_corner_inputs(kFraction, 64, run);
   }
+  cosim::play_strobes(verilog, kFraction, [](const cosim::outputs&) {});
   Verilated::threadContextp()->coveragep()->write(argv[1]);
   return 0;
 }

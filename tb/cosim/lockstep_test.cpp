@@ -3,19 +3,20 @@
 #include "tb/bench/quadratic_bench.h"
 #include "tb/catch.h"
 #include "tb/cosim/strobes.h"
+#include "tb/cosim/vectors.h"
 #include "tb/cosim/verilator_engine.h"
 
 namespace blysk::cosim {
 namespace {
 
 template <class Q>
-void lockstep(const std::string& format, int cycles) {
+void lockstep(const std::string& format, codes which) {
   using formats = quadratic_formats<Q, lobe::clamped>;
   device_options options;
   options.format = format;
   bench::quadratic_pins<formats> systemc("pins", wire_constants(options));
   const auto verilog = make_verilator(options);
-  strobe_sequence strobes(Q::frac);
+  strobe_sequence strobes(Q::frac, which);
   const sc_core::sc_time half = systemc.clk.period() / 2;
   const sc_core::sc_time settle = half / 4;
   pins values;
@@ -36,7 +37,7 @@ void lockstep(const std::string& format, int cycles) {
   };
 
   sc_core::sc_start(half / 2 + settle);  // clk is at one, and away from its edges
-  for (int cycle = 0; cycle < cycles; ++cycle) {
+  for (int cycle = 0; cycle < kStrobeCycles; ++cycle) {
     sc_core::sc_start(half - settle);
     values = strobes.next(values);
     systemc.rst_n.write(values.rst_n);
@@ -55,38 +56,82 @@ void lockstep(const std::string& format, int cycles) {
     sc_core::sc_start(half);
     compare(true);
   }
-  CHECK(writes_to_outputs > cycles / 100);  // most inputs lie beyond the lobe, and some writes do not
+  CHECK(writes_to_outputs > kStrobeCycles / 100);  // most inputs lie beyond the lobe, and some writes do not
 }
 
 }  // namespace
 
+TEST_CASE("both engines count the same cycles and writes", "[cosim]") {
+  device_options options;
+  options.format = "q8";
+  const auto systemc = bench::make_systemc(options);
+  const auto verilog = make_verilator(options);
+  results got, expected;
+  for (const unsigned rows : {3u, 1u, 1000u}) {
+    for_random_inputs(8, rows, rows, [&](const batch& in) {
+      systemc->run(in, expected);
+      verilog->run(in, got);
+    });
+    CHECK(got == expected);
+    CHECK(verilog->cycles() == systemc->cycles());
+    CHECK(verilog->writes() == systemc->writes());
+  }
+}
+
 // A process elaborates one device: ctest runs each case in its own.
 TEST_CASE("q8", "[cosim]") {
-  lockstep<q8>("q8", 20'000);
+  lockstep<q8>("q8", codes::legal);
+}
+TEST_CASE("q8 with illegal codes", "[cosim]") {
+  lockstep<q8>("q8", codes::all);
 }
 TEST_CASE("q10", "[cosim]") {
-  lockstep<q10>("q10", 20'000);
+  lockstep<q10>("q10", codes::legal);
+}
+TEST_CASE("q10 with illegal codes", "[cosim]") {
+  lockstep<q10>("q10", codes::all);
 }
 TEST_CASE("q12", "[cosim]") {
-  lockstep<q12>("q12", 20'000);
+  lockstep<q12>("q12", codes::legal);
+}
+TEST_CASE("q12 with illegal codes", "[cosim]") {
+  lockstep<q12>("q12", codes::all);
 }
 TEST_CASE("q14", "[cosim]") {
-  lockstep<q14>("q14", 20'000);
+  lockstep<q14>("q14", codes::legal);
+}
+TEST_CASE("q14 with illegal codes", "[cosim]") {
+  lockstep<q14>("q14", codes::all);
 }
 TEST_CASE("q16", "[cosim]") {
-  lockstep<q16>("q16", 20'000);
+  lockstep<q16>("q16", codes::legal);
+}
+TEST_CASE("q16 with illegal codes", "[cosim]") {
+  lockstep<q16>("q16", codes::all);
 }
 TEST_CASE("q18", "[cosim]") {
-  lockstep<q18>("q18", 20'000);
+  lockstep<q18>("q18", codes::legal);
+}
+TEST_CASE("q18 with illegal codes", "[cosim]") {
+  lockstep<q18>("q18", codes::all);
 }
 TEST_CASE("q20", "[cosim]") {
-  lockstep<q20>("q20", 20'000);
+  lockstep<q20>("q20", codes::legal);
+}
+TEST_CASE("q20 with illegal codes", "[cosim]") {
+  lockstep<q20>("q20", codes::all);
 }
 TEST_CASE("q22", "[cosim]") {
-  lockstep<q22>("q22", 20'000);
+  lockstep<q22>("q22", codes::legal);
+}
+TEST_CASE("q22 with illegal codes", "[cosim]") {
+  lockstep<q22>("q22", codes::all);
 }
 TEST_CASE("q24", "[cosim]") {
-  lockstep<q24>("q24", 20'000);
+  lockstep<q24>("q24", codes::legal);
+}
+TEST_CASE("q24 with illegal codes", "[cosim]") {
+  lockstep<q24>("q24", codes::all);
 }
 
 }  // namespace blysk::cosim

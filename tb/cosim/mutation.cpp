@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// mutation FORMAT LIST [TABLE.md]: does the regression kill the single-fault mutants of the exported device?
-// LIST is what yosys `mutate -list` wrote. Exit 1 if one lives that is not shown to be equivalent.
-#include <fmt/format.h>
-
-#include <fstream>
+// mutation FORMAT FOLDER [TABLE.md]: does the regression kill the single-fault mutants of the exported device?
+// FOLDER has list.ys, which yosys `mutate -list` wrote, and control.txt, which names the cells of the registers' enables
+// and resets. Exit 1 if one lives that is not shown to be equivalent.
 #include <map>
 #include <regex>
+#include <set>
 #include <utility>
 
 #include "tb/bit/quadratic.h"
 #include "tb/cosim/mutants.h"
+#include "tb/cosim/program.h"
 #include "tb/cosim/strobes.h"
 #include "tb/cosim/vectors.h"
 #include "tb/progress.h"
@@ -25,12 +25,27 @@ struct mutation {
   std::string block;  // instance in the device
   std::string place;  // port of its cell and wire there
   std::string what;
-  // The outputs remain a function of what was written last: the fault sits at a combinational cell, or at the input
-  // or the output of a data register.
-  bool is_combinational;
+  // The outputs remain a function of what was written last: the fault sits at a cell of the datapath, or at the input or
+  // the output of a data register.
+  bool is_datapath;
 };
 
-mutation parse(const std::string& line) {
+std::vector<std::string> lines_of(const std::string& path) {
+  std::vector<std::string> result;
+  std::ifstream file(path);
+  for (std::string line; std::getline(file, line);) result.push_back(line);
+  if (result.empty()) throw std::runtime_error(path + ": is missing or empty, expected what yosys wrote");
+  return result;
+}
+
+/// Names of the cells that decide when registers load: "MODULE/CELL" a line.
+std::set<std::string> control_cells(const std::string& path) {
+  std::set<std::string> result;
+  for (const std::string& line : lines_of(path)) result.insert(line.substr(line.find('/') + 1));
+  return result;
+}
+
+mutation parse(const std::string& line, const std::set<std::string>& control) {
   static const std::regex cell(
       R"(-mode (\w+) .*-cell (\S+) -port (\w+) -portbit (\d+)(?: -ctrlbit (\d+))?(?:.* -wire (\S+) -wirebit (\d+))?)");
   static const std::regex instance(R"(\$flatten\\(\w+)\.)");
@@ -47,11 +62,12 @@ mutation parse(const std::string& line) {
   if (!wire.empty()) what += fmt::format(", wire {}[{}]", wire, found[7].str());
 
   const bool is_logic = port == "A" || port == "B" || port == "S" || port == "Y";
+  const bool is_control = control.contains(name);
   const bool is_wide =
       found[4] != "0" || (!controlling_bit.empty() && controlling_bit != "0");  // no strobe's register
   const bool is_data = (port == "D" && is_wide) || (port == "Q" && wire.ends_with(".q_o"));
   return {std::regex_search(name, block, instance) ? block[1].str() : "made by opt",
-          wire.empty() ? port : port + ", wire " + wire, what, is_logic || is_data};
+          wire.empty() ? port : port + ", wire " + wire, what, (is_logic && !is_control) || is_data};
 }
 
 /// The modules of all hundreds.
@@ -75,9 +91,10 @@ class regression {
     fraction_ = fraction_bits(options);
     model_ = bit::make_quadratic(options);
     for_random_inputs(fraction_, 20'000, 1, [&](const batch& in) { random_.push_back(with_results(in)); });
-    prepare_colours();
     module_ = modules_.front().get();
     module_->select(0);
+    prepare_reset_exponent();
+    prepare_colours();
     strobes_ = play_strobes();
   }
 
@@ -89,7 +106,7 @@ class regression {
     }
     if (play_strobes() != strobes_) return fate::killed_by_strobes;
     if (killed_by_all_inputs()) return fate::killed_by_all_inputs;
-    return what.is_combinational ? fate::equivalent : fate::alive;
+    return what.is_datapath ? fate::equivalent : fate::alive;
   }
 
  private:
@@ -105,10 +122,11 @@ class regression {
            got_.blue != each.expected.blue;
   }
 
-  // 25..27 at colours 255 tell all BRDFs apart, so all (n, cos) there cover the path to the BRDF; then every colour at
-  // every BRDF that occurs covers multipliers 12..14. No single fault of a combinational cell is outside both.
+  // Registers can hold n in 0..1000, 0 since their reset, and every legal cosine and colour. 25..27 at colours 255 tell
+  // all BRDFs apart, so all (n, cos) there cover the path to the BRDF; then every colour at every BRDF that occurs covers
+  // multipliers 12..14. No single fault of the datapath is outside both.
   bool killed_by_all_inputs() {
-    bool killed = false;
+    bool killed = differs(reset_exponent_);
     for_all_inputs(fraction_, [&](batch in) {
       if (killed) return;
       in.red_ks.assign(in.size(), 255);
@@ -119,6 +137,15 @@ class regression {
     return killed;
   }
 
+  // The model is for legal n, so the device without a fault tells what n = 0 gives; cosim.lockstep compares it with
+  // SystemC there.
+  void prepare_reset_exponent() {
+    for (unsigned code = 0; code <= 1u << fraction_; ++code) {
+      append(reset_exponent_.in, 0, code, 255, 255, 255);
+    }
+    module_->run(reset_exponent_.in, reset_exponent_.expected);
+  }
+
   void prepare_colours() {
     std::map<std::int64_t, std::pair<unsigned, unsigned>> inputs;  // of every BRDF
     for_all_inputs(fraction_, [&](const batch& in) {
@@ -126,6 +153,9 @@ class regression {
       model_->run(in, out);
       for (std::size_t i = 0; i < in.size(); ++i) inputs.try_emplace(out.brdf[i], in.n[i], in.cos_delta[i]);
     });
+    for (const std::int64_t red : reset_exponent_.expected.red) {
+      if (!inputs.contains(red / 255)) throw std::runtime_error("n = 0 gives a BRDF that no other n gives");
+    }
     batch in;
     for (const auto& [brdf, input] : inputs) {
       for (unsigned colour = 0; colour < 256; ++colour)
@@ -139,16 +169,8 @@ class regression {
   }
 
   std::vector<outputs> play_strobes() {
-    strobe_sequence strobes(fraction_);
     std::vector<outputs> played;
-    pins values;
-    for (int cycle = 0; cycle < 20'000; ++cycle) {
-      values = strobes.next(values);
-      for (const bool clk : {false, true}) {
-        values.clk = clk;
-        played.push_back(module_->apply(values));
-      }
-    }
+    cosim::play_strobes(*module_, fraction_, [&](const outputs& each) { played.push_back(each); });
     return played;
   }
 
@@ -158,14 +180,15 @@ class regression {
       make_all_mutants(std::make_index_sequence<BLYSK_HUNDREDS>());
   mutants* module_ = nullptr;  // the one with the mutant that runs
   std::vector<vectors> random_, colours_;
+  vectors reset_exponent_;  // n = 0 at all cosines, colours 255
   std::vector<outputs> strobes_;
   results got_;
 };
 
-int run(const std::string& format, const std::string& list, const std::string& table) {
+int run(const std::string& format, const std::string& folder, const std::string& table) {
+  const std::set<std::string> control = control_cells(folder + "/control.txt");
   std::vector<mutation> mutations;
-  std::ifstream lines(list);
-  for (std::string line; std::getline(lines, line);) mutations.push_back(parse(line));
+  for (const std::string& line : lines_of(folder + "/list.ys")) mutations.push_back(parse(line, control));
 
   regression tests(format);
   std::map<fate, std::size_t> counts;
@@ -192,17 +215,16 @@ int run(const std::string& format, const std::string& list, const std::string& t
   for (const auto& [place, count] : equivalent) text += fmt::format("| {} | {} |\n", place, count);
   if (!survivors.empty()) text += "\n| mutant | block | fault | |\n|---|---|---|---|\n" + survivors;
   fmt::print("{}", text);
-  if (!table.empty()) std::ofstream(table) << text;
-  return counts[fate::alive] == 0 && !mutations.empty() ? 0 : 1;
+  if (!table.empty()) write_file(table, text);
+  return counts[fate::alive] == 0 ? 0 : 1;
 }
 
 }  // namespace
 }  // namespace blysk::cosim
 
 int main(int argc, char** argv) {
-  if (argc < 3) {
-    fmt::print(stderr, "usage: mutation FORMAT LIST [TABLE.md]\n");
-    return 2;
-  }
-  return blysk::cosim::run(argv[1], argv[2], argc > 3 ? argv[3] : "");
+  return blysk::cosim::program([&] {
+    if (argc < 3 || argc > 4) throw std::invalid_argument("usage: mutation FORMAT FOLDER [TABLE.md]");
+    return blysk::cosim::run(argv[1], argv[2], argc == 4 ? argv[3] : "");
+  });
 }

@@ -2,16 +2,13 @@
 // The device of [P] fig. 1 as a designer would write it by hand from the formulas, in one module:
 //   brdf = a (c^2 - c) + c clamped to [0, 1],   a = S n - 1/2,   colours = brdf * (R, G, B) k_s
 // It shares nothing with the SystemC model but the ports and the meaning of the formats: c has F fraction bits and is
-// legal up to 2^F, the constant S has K = min(F, 20) bits (S below, rounded), c^2 has D fraction bits, rounded to
-// nearest (exact if D = 2 F), and the BRDF is rounded to F fraction bits, to nearest, ties up.
+// legal up to 2^F, the constant S = 2(1 - e^(-1/2)) is rounded to K bits, c^2 has D fraction bits, rounded to nearest
+// (exact if D = 2 F), and the BRDF is rounded to F fraction bits, to nearest, ties up.
 `default_nettype none
 /* verilator lint_off WIDTH */  // written as formulas are: Verilog's own extension of operands is meant
 
 module reference_quadratic #(
-    parameter F = 8,
-    parameter K = 8,
-    parameter D = 16,
-    parameter [K-1:0] S = 8'd201
+    parameter F = 8
 ) (
     input  wire         clk,
     input  wire         rst_n,
@@ -30,6 +27,11 @@ module reference_quadratic #(
     output wire [F+7:0] b_o,
     output wire         valid_o
 );
+
+  localparam K = F < 20 ? F : 20;
+  localparam D = F < 12 ? 2 * F : F < 23 ? F + 12 : 35;
+  localparam [39:0] S40 = 40'd865248229639;  // S of 40 bits
+  localparam [K-1:0] S = (S40 + (40'd1 << (39 - K))) >> (40 - K);
 
   // Registers. Register 2 loads on the trailing edge of its strobe.
   reg [9:0] n;

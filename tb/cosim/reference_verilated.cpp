@@ -1,15 +1,29 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <stdexcept>
-
 #include "Vreference_q10.h"
 #include "Vreference_q10___024root.h"
 #include "Vreference_q12.h"
 #include "Vreference_q12___024root.h"
+#include "Vreference_q14.h"
+#include "Vreference_q14___024root.h"
+#include "Vreference_q16.h"
+#include "Vreference_q16___024root.h"
+#include "Vreference_q18.h"
+#include "Vreference_q18___024root.h"
+#include "Vreference_q20.h"
+#include "Vreference_q20___024root.h"
+#include "Vreference_q22.h"
+#include "Vreference_q22___024root.h"
+#include "Vreference_q24.h"
+#include "Vreference_q24___024root.h"
 #include "Vreference_q8.h"
 #include "Vreference_q8___024root.h"
 #include "tb/cosim/verilated_quadratic.h"
 
 namespace blysk::cosim {
+
+template <int Fraction>
+std::unique_ptr<verilator_engine> make_reference();
+
 namespace {
 
 template <class Top>
@@ -20,11 +34,22 @@ struct reference {
 
 }  // namespace
 
-std::unique_ptr<verilator_engine> make_reference(const std::string& format) {
-  if (format == "q8") return std::make_unique<verilated_quadratic<reference<Vreference_q8>>>();
-  if (format == "q10") return std::make_unique<verilated_quadratic<reference<Vreference_q10>>>();
-  if (format == "q12") return std::make_unique<verilated_quadratic<reference<Vreference_q12>>>();
-  throw std::invalid_argument("no reference of format " + format + ", expected q8, q10 or q12");
-}
+#define BLYSK_REFERENCE(Fraction)                                                      \
+  template <>                                                                          \
+  std::unique_ptr<verilator_engine> make_reference<Fraction>() {                       \
+    return std::make_unique<verilated_quadratic<reference<Vreference_q##Fraction>>>(); \
+  }
+
+BLYSK_REFERENCE(8)
+BLYSK_REFERENCE(10)
+BLYSK_REFERENCE(12)
+BLYSK_REFERENCE(14)
+BLYSK_REFERENCE(16)
+BLYSK_REFERENCE(18)
+BLYSK_REFERENCE(20)
+BLYSK_REFERENCE(22)
+BLYSK_REFERENCE(24)
+
+#undef BLYSK_REFERENCE
 
 }  // namespace blysk::cosim

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Replays writes and their expected colours on the exported device in Icarus. DEVICE names its module; the file named
-// by +vectors has a line "n cos r g b red green blue" of decimal numbers per write.
+// by +vectors has a line "n cos r g b red green blue" of decimal numbers per write. +stuck25 and +stuck29 break the
+// device, so that the bench can be seen to notice.
 `timescale 1ns / 1ps
 
 module replay;
@@ -21,7 +22,7 @@ module replay;
 
   always #5 clk = ~clk;
 
-  integer file, fields, writes = 0, failures = 0;
+  integer file, fields, writes = 0, compared = 0, failures = 0;
   reg [8*1024-1:0] path;
   reg [F+7:0] expected_red, expected_green, expected_blue;
   reg [9:0] next_n;
@@ -31,11 +32,19 @@ module replay;
 
   // 25..27 belong to the write before when 29 rises.
   always @(posedge valid)
-    if (writes > 0 && {red, green, blue} !== {expected_red, expected_green, expected_blue}) begin
-      failures = failures + 1;
-      $display("write %0d, n = %0d, cos = %0d: got %0d %0d %0d, expected %0d %0d %0d", writes, n, cosine, red, green,
-               blue, expected_red, expected_green, expected_blue);
+    if (writes > 0) begin
+      compared = compared + 1;
+      if ({red, green, blue} !== {expected_red, expected_green, expected_blue}) begin
+        failures = failures + 1;
+        $display("write %0d, n = %0d, cos = %0d: got %0d %0d %0d, expected %0d %0d %0d", writes, n, cosine, red, green,
+                 blue, expected_red, expected_green, expected_blue);
+      end
     end
+
+  initial begin
+    if ($test$plusargs("stuck25")) force device.r_o = 0;
+    if ($test$plusargs("stuck29")) force device.valid_o = 0;
+  end
 
   task read_vector;
     fields = $fscanf(file, "%d %d %d %d %d %d %d %d", next_n, next_cosine, next_r, next_g, next_b, next_red,
@@ -60,7 +69,7 @@ module replay;
       read_vector;
     end
     @(negedge clk) strobe17 = 1;
-    @(posedge clk) $display("%0d writes replayed, %0d differ", writes, failures);
+    @(posedge clk) $display("%0d writes replayed, %0d compared, %0d differ", writes, compared, failures);
     $finish;
   end
 endmodule

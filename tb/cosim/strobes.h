@@ -10,16 +10,22 @@
 
 namespace blysk::cosim {
 
+enum class codes { legal, all };
+
 /// Strobes and data of one clock cycle: they change with the falling edge of clk.
 class strobe_sequence {
  public:
-  explicit strobe_sequence(int fraction) : codes_((std::uint64_t{1} << fraction) + 1) {}
+  /// \param which  legal: n in 1..1000, cos <= 1; all: whatever the wires can carry
+  explicit strobe_sequence(int fraction, codes which = codes::legal)
+      : codes_(which == codes::legal ? (std::uint64_t{1} << fraction) + 1 : std::uint64_t{2} << fraction),
+        smallest_(which == codes::legal ? 1 : 0),
+        largest_(which == codes::legal ? 1000 : 1023) {}
 
   /// Sequences of 16 cycles keep to one pattern; every eighth starts with a reset, in whatever the registers do, and
   /// leaves one register unwritten or none, so that its reset value is seen.
   pins next(pins now) {
     if (cycle_ % 16 == 0) {
-      which_ = static_cast<pattern>(random_() % 4);
+      pattern_ = static_cast<pattern>(random_() % 4);
       unwritten_ = cycle_ % (8 * 16) == 0 ? static_cast<int>(random_() % 6) : 0;
     }
     now.rst_n = cycle_ % (8 * 16) >= 2;
@@ -30,7 +36,7 @@ class strobe_sequence {
     now.b_i = byte();
     const bool toggled = !now.cos_we_i;
     const auto strobe = [&](bool is_17) {
-      switch (which_) {
+      switch (pattern_) {
         case pattern::quiet:
           return false;
         case pattern::together:
@@ -57,7 +63,7 @@ class strobe_sequence {
   // Small ones are as frequent as large ones, whose lobes are so narrow that most cosines lie beyond.
   std::uint16_t exponent() {
     const unsigned below = 1u << random_() % 11;
-    return static_cast<std::uint16_t>(std::min<std::uint64_t>(1 + random_() % below, 1000));
+    return static_cast<std::uint16_t>(std::min<std::uint64_t>(smallest_ + random_() % below, largest_));
   }
   // Every fourth lies within 64 codes of 1, where the lobe of a large n is.
   std::uint32_t cosine() {
@@ -69,9 +75,27 @@ class strobe_sequence {
 
   std::mt19937_64 random_{1};
   std::uint64_t codes_;
+  std::uint64_t smallest_, largest_;  // n
   std::uint64_t cycle_ = 0;
-  pattern which_ = pattern::any;
+  pattern pattern_ = pattern::any;
   int unwritten_ = 0;  // number of the register, 1..5
 };
+
+/// Cycles of a strobe_sequence that reach every pattern and reset many times.
+inline constexpr int kStrobeCycles = 20'000;
+
+/// Calls use(outputs) after every edge of clk of kStrobeCycles cycles of legal strobes.
+template <class Use>
+void play_strobes(verilator_engine& verilog, int fraction, Use use) {
+  strobe_sequence strobes(fraction);
+  pins values;
+  for (int cycle = 0; cycle < kStrobeCycles; ++cycle) {
+    values = strobes.next(values);
+    for (const bool clk : {false, true}) {
+      values.clk = clk;
+      use(verilog.apply(values));
+    }
+  }
+}
 
 }  // namespace blysk::cosim

@@ -14,7 +14,8 @@ class verilated_quadratic : public Base {
  public:
   void run(const batch& in, results& out) override {
     out.resize(in.size());
-    reset();
+    if (cycles_ == 0) reset();
+    device_.top.rst_n = 1;
     for (std::size_t i = 0; i < in.size(); ++i) {
       lead(in.cos_delta[i]);
       if (i > 0) capture(out, i - 1);
@@ -74,7 +75,6 @@ class verilated_quadratic : public Base {
       finish_cycle();
       clock(false);
     }
-    device_.top.rst_n = 1;
   }
 
   // The first half of a write: 17 goes up, which confirms what the write before has made.

@@ -5,9 +5,11 @@
 
 namespace blysk::cosim {
 
-// Defined in quadratic_verilated.cpp, one object file per format.
+// Defined in quadratic_verilated.cpp and reference_verilated.cpp.
 template <int Fraction>
 std::unique_ptr<verilator_engine> make_quadratic();
+template <int Fraction>
+std::unique_ptr<verilator_engine> make_reference();
 
 std::unique_ptr<verilator_engine> make_verilator(const device_options& options) {
   wire_constants(options);  // throws for what no device has
@@ -18,6 +20,12 @@ std::unique_ptr<verilator_engine> make_verilator(const device_options& options) 
         "others");
   }
   return visit_formats(options, []<class Q, lobe>() { return make_quadratic<Q::frac>(); });
+}
+
+std::unique_ptr<verilator_engine> make_reference(const std::string& format) {
+  device_options options;
+  options.format = format;
+  return visit_formats(options, []<class Q, lobe>() { return make_reference<Q::frac>(); });
 }
 
 }  // namespace blysk::cosim

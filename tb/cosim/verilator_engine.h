@@ -55,7 +55,7 @@ class verilator_engine : public clocked_engine {
 std::unique_ptr<verilator_engine> make_verilator(const device_options& options);
 
 /// reference_quadratic.v, written by hand, with the default coefficient, constant and lobe.
-/// \throws std::invalid_argument for formats other than q8, q10 and q12
+/// \throws std::invalid_argument for a format that does not exist
 std::unique_ptr<verilator_engine> make_reference(const std::string& format);
 
 }  // namespace blysk::cosim
