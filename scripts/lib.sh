@@ -64,20 +64,26 @@ build() {
   logged build cmake --build "$root/build" ${1:+--target "$@"} || exit 1
 }
 
-# fit_layout FILE.vcd FILE.gtkw: the layout with the bus widths of the waveform, and with its fraction bits where it
-# scales by those of q16.
+# fit_layout FILE.vcd FILE.gtkw: the layout, made for q16 clamped, with the bus widths of the waveform, and with its
+# fraction bits. A net keeps its integer bits from format to format, so its fraction bits grow with its width; those of
+# the BRDF and the colours, which have more integer bits in a device as published, are those of cos18.
 fit_layout() {
   awk '
     NR == FNR && $1 == "$scope" && $3 != "SystemC" { scope = $3 "." }
     NR == FNR && $1 == "$upscope" { scope = "" }
-    NR == FNR && $1 == "$var" && $6 ~ /^\[/ { range["SystemC." scope $5] = $6 }
+    NR == FNR && $1 == "$var" && $6 ~ /^\[/ { split(substr($6, 2), ends, ":"); left["SystemC." scope $5] = ends[1] }
     NR == FNR { next }
-    FNR == 1 { split(substr(range["SystemC.cos18"], 2), bits, ":") }
-    /^\[fpshift_count\]/ && bits[1] { print $1, bits[1]; next }
+    $1 == "[fpshift_count]" { shift_count = $2; next }
     match($0, /\[[0-9]+:0\]$/) {  # "SystemC.net[7:0]" or "+{alias} SystemC.net[7:0]"
       start = index($0, "SystemC.")
       name = substr($0, start, RSTART - start)
-      if (name in range) $0 = substr($0, 1, RSTART - 1) range[name]
+      was = substr($0, RSTART + 1) + 0
+      is = name in left ? left[name] : was
+      if (name ~ /quant11|out2[567]/) is_shift = left["SystemC.cos18"]
+      else is_shift = shift_count + is - was
+      $0 = substr($0, 1, RSTART) is ":0]"
+      if (shift_count != "") print "[fpshift_count] " is_shift
+      shift_count = ""
     }
     { print }' "$1" "$2"
 }

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: Apache-2.0
+// The waves that `simulate --vcd` records: every wire carries what its name says, and the layout knows every name.
+#include <algorithm>
+#include <map>
+#include <sstream>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "tb/catch.h"
+#include "tb/cli/test/program.h"
+
+namespace {
+
+/// A VCD file of two-valued wires: names with their scope, "rg1.q_o", and what they carry after each time's changes.
+struct waves {
+  std::map<std::string, std::string> codes;                // by name
+  std::map<std::string, int> widths;                       // by name
+  std::vector<std::map<std::string, std::string>> values;  // by code, one map for each time stamp
+
+  explicit waves(const std::string& text) {
+    std::istringstream lines(text);
+    std::string line, scope;
+    std::map<std::string, std::string> now;
+    while (std::getline(lines, line)) {
+      std::istringstream words(line);
+      std::string first, second;
+      words >> first >> second;
+      if (first == "$scope") {
+        std::string name;
+        words >> name;
+        scope = name == "SystemC" ? "" : name + ".";
+      } else if (first == "$upscope") {
+        scope.clear();
+      } else if (first == "$var") {
+        std::string width = second, code, name;
+        words >> width >> code >> name;
+        codes[scope + name] = code;
+        widths[scope + name] = std::stoi(width);
+      } else if (first.starts_with('#')) {
+        if (!now.empty()) values.push_back(now);
+      } else if (first.starts_with('b')) {
+        now[second] = first.substr(1);
+      } else if (first.starts_with('0') || first.starts_with('1')) {
+        now[first.substr(1)] = first.substr(0, 1);
+      }
+    }
+    values.push_back(now);
+  }
+
+  /// \param is_signed  two's complement; SystemC leaves equal leading bits out
+  long long value(std::size_t i, const std::string& name, bool is_signed = false) const {
+    const std::string& bits = values[i].at(codes.at(name));
+    const long long raw = std::stoll(bits, nullptr, 2);
+    const auto width = static_cast<int>(bits.size());
+    return is_signed && bits[0] == '1' ? raw - (1LL << width) : raw;
+  }
+};
+
+}  // namespace
+
+// Formulas of q8 in raw units: cos has 8 fraction bits, a has 8, cos^2 - cos has 16, the parabola 24.
+TEST_CASE("every wire of the waves carries what its name says", "[cli][waves]") {
+  const scratch folder;
+  const std::string vcd = folder.path("w.vcd");
+  REQUIRE(blysk(folder, "simulate --format q8 --engine systemc --stimulus " +
+                            quoted(BLYSK_ROOT "/docs/examples/fig3.csv") + " --results " +
+                            quoted(folder.path("r.csv")) + " --vcd " + quoted(vcd))
+              .status == 0);
+  const waves seen(slurp(vcd));
+  const std::map<std::string, std::string> level_strobes{
+      {"rg1.q_o", "strobe15"}, {"rg3.q_o", "strobe20"}, {"rg4.q_o", "strobe22"}, {"rg5.q_o", "strobe24"}};
+  const std::map<std::string, std::string> level_data{
+      {"rg1.q_o", "n16"}, {"rg3.q_o", "red19"}, {"rg4.q_o", "green21"}, {"rg5.q_o", "blue23"}};
+  std::map<std::string, int> writes;
+  bool strobe17_before = false;
+  REQUIRE(seen.values.size() > 40);
+  for (std::size_t i = 0; i < seen.values.size(); ++i) {
+    CAPTURE(i);
+    const auto at = [&](const std::string& name) { return seen.value(i, name); };
+    const auto signed_at = [&](const std::string& name) { return seen.value(i, name, true); };
+    const long long n = at("rg1.q_o");
+    const long long c = at("rg2.q_o");
+    CHECK(at("valid29") == at("strobe17"));
+    CHECK(at("node31.y_o") == 201);
+    CHECK(signed_at("node32.y_o") == -1);
+    CHECK(at("mul6.p_o") == 201 * n);
+    if (n != 0) CHECK(at("add15.s_o") == 201 * n - 128);
+    CHECK(at("mul7.p_o") == c * c);
+    CHECK(signed_at("inv8.y_o") == -256 * c - 1);
+    CHECK(signed_at("add9.s_o") == c * c - 256 * c);
+    if (n != 0) {
+      CHECK(signed_at("mul10.p_o") == (201 * n - 128) * (c * c - 256 * c));
+      CHECK(signed_at("add11.s_o") == (201 * n - 128) * (c * c - 256 * c) + 65536 * c);
+      const long long rounded = (signed_at("add11.s_o") + 32768) >> 16;
+      CHECK(at("quant11.y_o") == std::max(0LL, std::min(256LL, rounded)));
+    }
+    for (const auto& [colour, out, number] :
+         {std::tuple{"rg3.q_o", "out25_red", "mul12.p_o"}, std::tuple{"rg4.q_o", "out26_green", "mul13.p_o"},
+          std::tuple{"rg5.q_o", "out27_blue", "mul14.p_o"}}) {
+      CHECK(at(out) == at("quant11.y_o") * at(colour));
+      CHECK(at(number) == at(out));
+    }
+    if (i == 0) continue;
+    const auto before = [&](const std::string& name) { return seen.value(i - 1, name); };
+    const bool rising = at("clk") == 1 && before("clk") == 0;
+    for (const auto& [reg, strobe] : level_strobes) {
+      const bool written = rising && before("rst_n") == 1 && before(strobe) == 1;
+      CHECK(at(reg) == (written ? before(level_data.at(reg)) : before(reg)));
+      writes[reg] += written ? 1 : 0;
+    }
+    if (rising) {
+      const bool falls = strobe17_before && before("strobe17") == 0;
+      CHECK(c == (falls ? before("cos18") : before("rg2.q_o")));
+      writes["rg2.q_o"] += falls ? 1 : 0;
+      strobe17_before = before("strobe17") == 1;
+    } else {
+      CHECK(c == before("rg2.q_o"));
+    }
+  }
+  CHECK(writes["rg2.q_o"] >= 10);
+  for (const auto& [reg, strobe] : level_strobes) CHECK(writes[reg] >= 1);
+}
+
+TEST_CASE("the layout of GTKWave fits the waves of every format", "[cli][waves]") {
+  const auto fraction = GENERATE(8, 10, 12, 14, 16, 18, 20, 22, 24);
+  const auto lobe = GENERATE(std::string(), std::string(" --as-published"));
+  const scratch folder;
+  const std::string vcd = folder.path("w.vcd");
+  const std::string fitted = folder.path("fitted.gtkw");
+  REQUIRE(blysk(folder, "simulate --format q" + std::to_string(fraction) + lobe +
+                            " --engine systemc --stimulus " + quoted(BLYSK_ROOT "/docs/examples/fig3.csv") +
+                            " --results " + quoted(folder.path("r.csv")) + " --vcd " + quoted(vcd))
+              .status == 0);
+  const std::string script =
+      folder.write("fit.sh", ". " + quoted(BLYSK_ROOT "/scripts/lib.sh") + "; fit_layout " + quoted(vcd) +
+                                 " " + quoted(BLYSK_ROOT "/vcd/quadratic.gtkw") + " >" + quoted(fitted));
+  REQUIRE(std::system(("bash " + quoted(script)).c_str()) == 0);
+  const waves seen(slurp(vcd));
+  std::map<std::string, int> shifts;
+  int rows = 0;
+  std::istringstream lines(slurp(fitted));
+  std::string line;
+  int shift = 0;
+  while (std::getline(lines, line)) {
+    if (line.starts_with("[fpshift_count] ")) shift = std::stoi(line.substr(16));
+    const auto start = line.find("SystemC.");
+    if (line.starts_with('[') || start == std::string::npos) continue;
+    const std::string row = line.substr(start + 8);
+    const std::string name = row.substr(0, row.find('['));
+    CAPTURE(fraction, lobe, line);
+    REQUIRE(seen.widths.count(name) == 1);
+    const int width = row.find('[') == std::string::npos ? 1 : std::stoi(row.substr(row.find('[') + 1)) + 1;
+    CHECK(width == seen.widths.at(name));
+    shifts[name] = shift;
+    shift = 0;
+    ++rows;
+  }
+  CHECK(rows > 30);
+  const int slope = std::min(fraction, 20);  // K and D of docs/blocks.md
+  const int square = std::min({2 * fraction, fraction + 12, 35});
+  const std::map<std::string, int> expected{{"cos18", fraction},           {"rg2.q_o", fraction},
+                                            {"node31.y_o", slope},         {"node32.y_o", 1},
+                                            {"mul6.p_o", slope},           {"add15.s_o", slope},
+                                            {"mul7.p_o", square},          {"inv8.y_o", square},
+                                            {"add9.s_o", square},          {"mul10.p_o", slope + square},
+                                            {"add11.s_o", slope + square}, {"quant11.y_o", fraction},
+                                            {"out25_red", fraction},       {"out26_green", fraction},
+                                            {"out27_blue", fraction}};
+  for (const auto& [name, bits] : expected) {
+    CAPTURE(fraction, lobe, name);
+    CHECK(shifts[name] == bits);
+  }
+}
