@@ -9,7 +9,7 @@
 
 #include "tb/bit/quadratic.h"
 #include "tb/golden/errors.h"
-#include "tb/golden/lobes.h"
+#include "tb/golden/lobe_formulas.h"
 
 namespace blysk {
 namespace {

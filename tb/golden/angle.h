@@ -5,9 +5,10 @@
 /// q the value of cos^n at which both meet, (0, 1); x the angle from the lobe's axis, rad, [0, pi/2].
 #pragma once
 
-#include <boost/math/constants/constants.hpp>
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <cmath>
+
+#include "tb/golden/pi.h"
 
 namespace blysk::golden {
 
@@ -30,7 +31,7 @@ Real angle_scale(const Real& n, const Real& k, const Real& q) {
 /// Angle at which the lobe reaches zero, "gran" of [A]; above pi/2 when n < k.   rad
 template <class Real>
 Real angle_limit(const Real& n, const Real& k, const Real& q) {
-  return boost::math::constants::half_pi<Real>() / angle_scale(n, k, q);
+  return pi<Real>() / 2 / angle_scale(n, k, q);
 }
 
 /// cos^k(angle_scale x), zero from angle_limit on.   [A], 4th formula. In [0, 1].
@@ -39,7 +40,7 @@ Real angle_lobe(const Real& n, const Real& k, const Real& q, const Real& x) {
   using std::cos;
   using std::pow;
   const Real scaled = angle_scale(n, k, q) * x;
-  if (!(scaled < boost::math::constants::half_pi<Real>())) return Real(0);
+  if (!(scaled < pi<Real>() / 2)) return Real(0);
   return pow(Real(cos(scaled)), k);
 }
 
@@ -60,7 +61,7 @@ Real angle_integral(const Real& n, const Real& k, const Real& q, const Real& lim
 /// 1 / (2 pi Int), Int up to angle_limit as [A] has it, even where that passes pi/2.   [A]
 template <class Real>
 Real angle_coefficient_exact(const Real& n, const Real& k, const Real& q) {
-  return 1 / (boost::math::constants::two_pi<Real>() * angle_integral(n, k, q, angle_limit(n, k, q)));
+  return 1 / (2 * pi<Real>() * angle_integral(n, k, q, angle_limit(n, k, q)));
 }
 
 /// Fitted normalisation, one formula for q in [0.1, 0.4], another for q in [0.5, 0.9].   [A]
