@@ -30,13 +30,22 @@ Real schlick(const Real& n, const Real& c) {
   return c / (n * (1 - c) + c);
 }
 
-/// Angle whose cosine is c, as 2 asin(sqrt((1 - c) / 2)): acos(c) rounds c - 1 away near the peak.
+/// Angle whose cosine is c, as 2 asin(sqrt((1 - c) / 2)): it shows what a good acos does near the peak, and depends on
+/// none.
 /// \return  rad, [0, pi / 2] for c in [0, 1]
 template <class Real>
 Real angle_of_cosine(const Real& c) {
   using std::asin;
   using std::sqrt;
   return 2 * asin(sqrt(Real((1 - c) / 2)));
+}
+
+/// 1 - cos(y) as 2 sin^2(y / 2). In [0, 2].
+template <class Real>
+Real versine(const Real& y) {
+  using std::sin;
+  const Real s = sin(Real(y / 2));
+  return 2 * s * s;
 }
 
 /// What [T] (2.2) prints as "0.5 n (1 - cos gamma^2)", gamma = acos(c), can be read in four ways.
@@ -50,7 +59,6 @@ enum class schlick_reading {
 /// c / (t + n - n c + c), t the term of the given reading.   [T] (2.2). In [0, 1].
 template <class Real>
 Real schlick_modified(schlick_reading reading, const Real& n, const Real& c) {
-  using std::sin;
   const Real u = 1 - c;
   Real term = 0;
   switch (reading) {
@@ -62,8 +70,7 @@ Real schlick_modified(schlick_reading reading, const Real& n, const Real& c) {
       break;
     case schlick_reading::c: {
       const Real gamma = angle_of_cosine(c);
-      const Real s = sin(Real(gamma * gamma / 2));  // (1 - cos y) / 2 = sin^2(y / 2)
-      term = n * s * s;
+      term = n * versine(Real(gamma * gamma)) / 2;
       break;
     }
     case schlick_reading::d:

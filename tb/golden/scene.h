@@ -152,8 +152,16 @@ Real fresnel(const Real& c, const Real& index) {
   return normal_part * normal_part * (1 + ratio * ratio) / 2;
 }
 
-/// R_s = F D G / (N . V), G = min(1, 2 (N.H)(N.V)/(V.H), 2 (N.H)(N.L)/(V.H)).   [T] (1.4)
-/// G / (N . V) is formed term by term, so the quotient stays finite for a view that grazes the surface.
+/// G / (N . V), G = min(1, 2 (N.H)(N.V)/(V.H), 2 (N.H)(N.L)/(V.H)).   [T] (1.4)
+/// Term by term, so that the quotient stays finite and whole for a view that grazes the surface.
+template <class Real>
+Real shadowing(const Real& nh, const Real& vh, const Real& nl, const Real& nv) {
+  using std::min;
+  const Real slope = 2 * nh / vh;
+  return min(Real(1 / nv), min(slope, Real(slope * nl / nv)));
+}
+
+/// R_s = F D G / (N . V).   [T] (1.4)
 /// \return  >= 0; 0 where light or view is behind the surface
 template <class Real>
 Real cook_torrance(facet_distribution distribution, const Real& m, const Real& index,
@@ -165,10 +173,7 @@ Real cook_torrance(facet_distribution distribution, const Real& m, const Real& i
   if (!(nh > 0 && vh > 0)) return Real(0);
   const Real nv = dot(normal, view);
   const Real nl = dot(normal, light);
-  const Real slope = 2 * nh / vh;
-  using std::min;
-  const Real shadowing = min(Real(1 / nv), min(slope, Real(slope * nl / nv)));
-  return fresnel(vh, index) * facets(distribution, nh, m) * shadowing;
+  return fresnel(vh, index) * facets(distribution, nh, m) * shadowing(nh, vh, nl, nv);
 }
 
 /// R = s R_s + d R_d with d = 1 - s and, by Lambert's law, R_d = max(0, N . L).   [T] (1.3)
