@@ -6,7 +6,6 @@
 #include <fstream>
 #include <functional>
 #include <iostream>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -250,13 +249,12 @@ std::vector<figure> own_figures() {
       whole,
       inside,
       {"slope_front",
-       "The front: whole-range error against epicentre error, a mark each 0.05 of the slope in a = slope n - "
-       "1/2",
+       "Line a = slope n - 1/2: epicentre against whole-range error, a mark each 0.05",
        "largest absolute error, whole range",
        "largest relative error, epicentre",
        "",
        steps(0.3, 1, 14),
-       {{"cos^n >= 0.56, slope from 0.3 (top left) to 1",
+       {{"cos^n >= 0.56, slope from 0.3 (top right) to 1",
          [](double s) { return slope_error(s, slope_axis::epicentre, 1); }},
         {"the same without n = 1", [](double s) { return slope_error(s, slope_axis::epicentre, 2); }},
         {"up to the inflection point, from n = 2",
@@ -311,7 +309,8 @@ figure hard_figure(const hard_form& form) {
   // What is exact lies on the lower edge.
   const auto shown = [](double ulp) { return std::max(ulp, 0.01); };
   figure result{"hard_" + form.name,
-                form.literal + " beside " + form.stable + ": errors in ulp",
+                form.name == "shadowing" ? "G/(N.V), whole and term by term: errors in ulp"
+                                         : form.literal + " beside " + form.stable + ": errors in ulp",
                 form.argument,
                 "error, ulp",
                 form.name == "versine" || form.name == "shadowing" ? "xy" : "y",
@@ -324,8 +323,8 @@ figure hard_figure(const hard_form& form) {
                 "points pt 7 ps 0.5"};
   const std::size_t stride = form.points.size() / kHardPoints + 1;
   for (std::size_t i = 0; i < form.points.size(); i += stride) {
-    // Gnuplot's axes end where the normal numbers do.
-    if (form.points[i] >= std::numeric_limits<double>::min()) result.x.push_back(form.points[i]);
+    // Those of the shadowing below the least double are beyond gnuplot's axes; float shows the same.
+    if (form.points[i] > 1e-50) result.x.push_back(form.points[i]);
   }
   return result;
 }
@@ -337,28 +336,28 @@ std::vector<figure> hard_figures() {
     result.push_back(hard_figure(*std::ranges::find(hard_forms(), name, &hard_form::name)));
 
   const auto near_root = [](double distance) {
-    return bounded<float>(static_cast<float>(1 - 3.0 / 51 + distance));
+    return bounded<float>(static_cast<float>(1 - 3.0 / 101 + distance));
   };
   const auto in_ulp = [](const referee& error, const referee& exact) {
     return std::max(0.01, static_cast<double>(error / ulp_of<float>(exact)));
   };
   result.push_back(
       {"hard_root",
-       "Beside its root a lobe loses ulp as its condition number grows: cosine-quadratic, n = 50, float",
+       "The cosine-quadratic beside its root: ulp grow with the condition number: n = 100, float",
        "c - root",
        "error, ulp",
        "xy",
        steps(-6, -1.3, 120),
        {{"error",
          [=](double x) {
-           const auto exact = cosine_quadratic(bounded<float>(50), near_root(std::pow(10, x)));
+           const auto exact = cosine_quadratic(bounded<float>(100), near_root(std::pow(10, x)));
            const float value =
-               cosine_quadratic(50.0F, static_cast<float>(near_root(std::pow(10, x)).value()));
+               cosine_quadratic(100.0F, static_cast<float>(near_root(std::pow(10, x)).value()));
            return in_ulp(abs(referee(value) - exact.value()), exact.value());
          }},
         {"bound",
          [=](double x) {
-           const auto exact = cosine_quadratic(bounded<float>(50), near_root(std::pow(10, x)));
+           const auto exact = cosine_quadratic(bounded<float>(100), near_root(std::pow(10, x)));
            return in_ulp(exact.error(), exact.value());
          }}},
        "[0.01:*]",
