@@ -15,7 +15,7 @@
 #include "tb/cli/verbs.h"
 #include "tb/cosim/verilator_engine.h"
 #include "tb/files.h"
-#include "tb/golden/lobes.h"
+#include "tb/golden/lobe_formulas.h"
 
 namespace blysk::cli {
 namespace {

@@ -10,7 +10,7 @@
 #include "tb/bit/quadratic.h"
 #include "tb/cosim/program.h"
 #include "tb/golden/errors.h"
-#include "tb/golden/lobes.h"
+#include "tb/golden/lobe_formulas.h"
 
 namespace blysk {
 namespace {

@@ -5,9 +5,11 @@
 /// q the value of cos^n at which both meet, (0, 1); x the angle from the lobe's axis, rad, [0, pi/2].
 #pragma once
 
-#include <boost/math/constants/constants.hpp>
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <cmath>
+#include <span>
+
+#include "tb/golden/pi.h"
 
 namespace blysk::golden {
 
@@ -30,18 +32,30 @@ Real angle_scale(const Real& n, const Real& k, const Real& q) {
 /// Angle at which the lobe reaches zero, "gran" of [A]; above pi/2 when n < k.   rad
 template <class Real>
 Real angle_limit(const Real& n, const Real& k, const Real& q) {
-  return boost::math::constants::half_pi<Real>() / angle_scale(n, k, q);
+  return pi<Real>() / 2 / angle_scale(n, k, q);
+}
+
+/// cos^k(y), zero from pi/2 on, y = angle_scale x. In [0, 1].
+template <class Real>
+Real angle_lobe_scaled(const Real& k, const Real& y) {
+  using std::cos;
+  using std::pow;
+  return y < pi<Real>() / 2 ? Real(pow(Real(cos(y)), k)) : Real(0);
 }
 
 /// cos^k(angle_scale x), zero from angle_limit on.   [A], 4th formula. In [0, 1].
 template <class Real>
 Real angle_lobe(const Real& n, const Real& k, const Real& q, const Real& x) {
-  using std::cos;
-  using std::pow;
-  const Real scaled = angle_scale(n, k, q) * x;
-  if (!(scaled < boost::math::constants::half_pi<Real>())) return Real(0);
-  return pow(Real(cos(scaled)), k);
+  return angle_lobe_scaled(k, Real(angle_scale(n, k, q) * x));
 }
+
+/// The lobe over a whole picture: out[i] = angle_lobe(n, k, q, angles[i]), bit for bit; what depends on n, k and q alone
+/// is computed once.
+/// \param angles  rad, each in [0, pi/2]
+/// \param out     as long as angles
+/// \throws std::domain_error  n outside [1, 1000], k below 1, q outside (0, 1), or the lengths differ
+void angle_lobe(double n, double k, double q, std::span<const double> angles, std::span<double> out);
+void angle_lobe(float n, float k, float q, std::span<const float> angles, std::span<float> out);
 
 /// Int = integral from 0 to `limit` of cos^k(angle_scale x) cos x sin x dx, `limit` <= angle_limit.   [A]
 /// Gauss-Kronrod, 61 points, in y = angle_scale x, where the integrand is smooth.
@@ -60,7 +74,7 @@ Real angle_integral(const Real& n, const Real& k, const Real& q, const Real& lim
 /// 1 / (2 pi Int), Int up to angle_limit as [A] has it, even where that passes pi/2.   [A]
 template <class Real>
 Real angle_coefficient_exact(const Real& n, const Real& k, const Real& q) {
-  return 1 / (boost::math::constants::two_pi<Real>() * angle_integral(n, k, q, angle_limit(n, k, q)));
+  return 1 / (2 * pi<Real>() * angle_integral(n, k, q, angle_limit(n, k, q)));
 }
 
 /// Fitted normalisation, one formula for q in [0.1, 0.4], another for q in [0.5, 0.9].   [A]

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The lobes of lobes.h as values: one list that the registry, the span calls, the measurements and the
+/// The lobes of lobe_formulas.h as values: one list that the registry, the span calls, the measurements and the
 /// tests go through.
 #pragma once
 
@@ -8,7 +8,7 @@
 #include <span>
 #include <string_view>
 
-#include "tb/golden/lobes.h"
+#include "tb/golden/lobe_formulas.h"
 
 namespace blysk::golden {
 

@@ -3,7 +3,10 @@
 /// stable forms are for. Arguments and results as in the stable function of each.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+
+#include "tb/golden/scene.h"
 
 namespace blysk::golden::naive {
 
@@ -32,6 +35,31 @@ Real schlick(const Real& n, const Real& c) {
   return c / (n - n * c + c);
 }
 
+/// [T] (2.2) by its readings, with the same denominator.
+template <class Real>
+Real schlick_modified(schlick_reading reading, const Real& n, const Real& c) {
+  using std::acos;
+  using std::cos;
+  Real term = 0;
+  switch (reading) {
+    case schlick_reading::a:
+      term = n * (1 - c * c) / 2;
+      break;
+    case schlick_reading::b:
+      term = n * (1 - c) * (1 - c) / 2;
+      break;
+    case schlick_reading::c: {
+      const Real gamma = acos(c);
+      term = n * (1 - cos(gamma * gamma)) / 2;
+      break;
+    }
+    case schlick_reading::d:
+      term = n * (1 - c) * n * (1 - c) / 2;
+      break;
+  }
+  return c / (term + n - n * c + c);
+}
+
 /// n/2 + (1 - n/2) c^2. Stable: n/2 (1 - c)(1 + c) + c^2.
 template <class Real>
 Real gx(const Real& n, const Real& c) {
@@ -44,11 +72,50 @@ Real quadratic(const Real& a, const Real& c) {
   return a * c * c + (1 - a) * c;
 }
 
-/// 1 - cos(y) of reading C of [T] (2.2). Stable: 2 sin^2(y / 2).
+/// 1 - cos(y) of reading C of [T] (2.2). Stable: versine.
 template <class Real>
 Real versine(const Real& y) {
   using std::cos;
   return 1 - cos(y);
+}
+
+/// F with g - c as it stands.   Cook and Torrance 1982. Stable: fresnel.
+template <class Real>
+Real fresnel(const Real& c, const Real& index) {
+  using std::sqrt;
+  const Real g = sqrt(index * index + c * c - 1);
+  const Real quotient = (g - c) / (g + c);
+  const Real ratio = (c * (g + c) - 1) / (c * (g - c) + 1);
+  return quotient * quotient * (1 + ratio * ratio) / 2;
+}
+
+/// Beckmann's D with tan^2 = (1 - c^2)/c^2. Stable: facets.
+template <class Real>
+Real beckmann(const Real& c, const Real& m) {
+  using std::exp;
+  return exp(-(1 - c * c) / (c * c * m * m)) / (m * m * c * c * c * c);
+}
+
+/// G and only then G / (N . V).   [T] (1.4). Stable: shadowing.
+template <class Real>
+Real shadowing(const Real& nh, const Real& vh, const Real& nl, const Real& nv) {
+  return std::min({Real(1), 2 * nh * nv / vh, 2 * nh * nl / vh}) / nv;
+}
+
+/// c^n by its logarithm. Stable: blinn.
+template <class Real>
+Real power(const Real& n, const Real& c) {
+  using std::exp;
+  using std::log;
+  return exp(n * log(c));
+}
+
+/// (L + V) / |L + V|; 0/0 for opposite vectors. Stable: half_vector.
+template <class Real>
+vec3<Real> half_vector(const vec3<Real>& light, const vec3<Real>& view) {
+  using std::sqrt;
+  const vec3<Real> sum = light + view;
+  return Real(1 / sqrt(dot(sum, sum))) * sum;
 }
 
 }  // namespace blysk::golden::naive

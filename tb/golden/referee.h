@@ -2,6 +2,7 @@
 /// 50-digit references, and errors counted in roundoffs.
 #pragma once
 
+#include <algorithm>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <limits>
 
@@ -15,6 +16,15 @@ using referee =
 template <class Real>
 referee roundoff() {
   return referee(std::numeric_limits<Real>::epsilon()) / 2;
+}
+
+/// Unit in the last place of a number: the spacing of Real's numbers from the power of two at or below it.
+/// One ulp is 1 to 2 roundoffs, relatively: 2 at a power of two.
+template <class Real>
+referee ulp_of(const referee& x) {
+  if (x == 0) return referee(std::numeric_limits<Real>::denorm_min());
+  const int exponent = std::max(ilogb(x), std::numeric_limits<Real>::min_exponent - 1);
+  return ldexp(referee(std::numeric_limits<Real>::epsilon()), exponent);
 }
 
 /// What a count of roundoffs allows: bounds are first order, and every intermediate stays within 2^-11 of its

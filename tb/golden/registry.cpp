@@ -46,7 +46,7 @@ double checked_lobe(inputs_t in) {
   require_count(in, 2);
   require_n(in[0]);
   require(in[1] >= 0 && in[1] <= 1, "cos", in[1], "a number in [0, 1]");
-  return evaluate(Which, in[0], in[1]);
+  return evaluate(Which, in[0], in[1]) + 0.0;  // the parabola at cos = 0 is -0
 }
 
 template <lobe Which>
@@ -96,7 +96,9 @@ constexpr std::array kModels{
     lobe_row<lobe::quadratic_derived>("a (c^2 - c) + c, a = 2 (1 - e^(-1/2)) n - 1/2",
                                       "[P] (3) (6), (9) expanded"),
     lobe_row<lobe::quadratic_energy_safe>(
-        "3 a^2/(4 pi (3 a - 1)) max(0, a (c^2 - c) + c), a = 2 (1 - e^(-1/2)) n - 1/2", "docs/numerics.md"),
+        "f max(0, a (c^2 - c) + c), f = 3 a^2/(4 pi (3 a - 1)), or 3/(4 pi (3 - a)) for a < 1, a = 2 (1 - "
+        "e^(-1/2)) n - 1/2",
+        "docs/numerics.md"),
     lobe_row<lobe::cosine_quadratic>("max(0, (n + 1)/3 (c - 1) + 1)^2", "[T] (2.15)"),
     lobe_row<lobe::cosine_quadratic_energy>("(n + 6)/24.55 max(0, (n + 1)/3 (c - 1) + 1)^2", "[T] (2.26)"),
     lobe_row<lobe::cosine_quadratic_energy_safe>("(n + 1)/(8 pi) max(0, (n + 1)/3 (c - 1) + 1)^2",

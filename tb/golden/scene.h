@@ -41,7 +41,8 @@ vec3<Real> normalised(const vec3<Real>& a) {
 /// one is behind the surface.
 template <class Real>
 Real clamped_cosine(const vec3<Real>& a, const vec3<Real>& b) {
-  return std::clamp(dot(a, b), Real(0), Real(1));
+  using std::clamp;
+  return clamp(dot(a, b), Real(0), Real(1));
 }
 
 /// H = (L + V) / |L + V|.   [P] (2), [A]
@@ -91,14 +92,25 @@ Real phong(const illumination<Real>& i, const Real& n, const vec3<Real>& normal,
   return base + i.point_light * i.ks * blinn(n, clamped_cosine(mirror_direction(normal, light), view));
 }
 
-/// Lambert + I_l k_s lobe(n, N . H).   [P] (1), [T] (2.11); lobe::blinn is Blinn's model itself
+/// max(0, lobe(N . H)): light is not negative, so a negative lobe is cut as the devices cut it. 0 where light
+/// or view is behind the surface, and where they are opposite: then N . H is 0, which not every lobe sends to 0.
+/// \param lobe  f(cos(delta))
+template <class Real, class Lobe>
+Real highlight(const Lobe& lobe, const vec3<Real>& normal, const vec3<Real>& light, const vec3<Real>& view) {
+  using std::max;
+  if (!faces_both(normal, light, view)) return Real(0);
+  const Real nh = clamped_cosine(normal, half_vector(light, view));
+  return nh > 0 ? max(Real(lobe(nh)), Real(0)) : Real(0);
+}
+
+/// Lambert + I_l k_s max(0, lobe(n, N . H)).   [P] (1), [T] (2.11); lobe::blinn is Blinn's model itself
 /// \param n  specular exponent, [1, 1000]
 template <class Real>
 Real half_vector_shading(lobe which, const illumination<Real>& i, const Real& n, const vec3<Real>& normal,
                          const vec3<Real>& light, const vec3<Real>& view) {
-  const Real base = lambert(i, normal, light);
-  if (!faces_both(normal, light, view)) return base;
-  return base + i.point_light * i.ks * evaluate(which, n, clamped_cosine(normal, half_vector(light, view)));
+  return with_lobe(which, n, [&](const auto& f) {
+    return Real(lambert(i, normal, light) + i.point_light * i.ks * highlight(f, normal, light, view));
+  });
 }
 
 /// Distribution D of the facets' normals around N, alpha their angle to it.   [T] (1.4)
@@ -140,8 +152,16 @@ Real fresnel(const Real& c, const Real& index) {
   return normal_part * normal_part * (1 + ratio * ratio) / 2;
 }
 
-/// R_s = F D G / (N . V), G = min(1, 2 (N.H)(N.V)/(V.H), 2 (N.H)(N.L)/(V.H)).   [T] (1.4)
-/// G / (N . V) is formed term by term, so the quotient stays finite for a view that grazes the surface.
+/// G / (N . V), G = min(1, 2 (N.H)(N.V)/(V.H), 2 (N.H)(N.L)/(V.H)).   [T] (1.4)
+/// Term by term, so that the quotient stays finite and whole for a view that grazes the surface.
+template <class Real>
+Real shadowing(const Real& nh, const Real& vh, const Real& nl, const Real& nv) {
+  using std::min;
+  const Real slope = 2 * nh / vh;
+  return min(Real(1 / nv), min(slope, Real(slope * nl / nv)));
+}
+
+/// R_s = F D G / (N . V).   [T] (1.4)
 /// \return  >= 0; 0 where light or view is behind the surface
 template <class Real>
 Real cook_torrance(facet_distribution distribution, const Real& m, const Real& index,
@@ -153,9 +173,16 @@ Real cook_torrance(facet_distribution distribution, const Real& m, const Real& i
   if (!(nh > 0 && vh > 0)) return Real(0);
   const Real nv = dot(normal, view);
   const Real nl = dot(normal, light);
-  const Real slope = 2 * nh / vh;
-  const Real shadowing = std::min({Real(1 / nv), slope, Real(slope * nl / nv)});
-  return fresnel(vh, index) * facets(distribution, nh, m) * shadowing;
+  return fresnel(vh, index) * facets(distribution, nh, m) * shadowing(nh, vh, nl, nv);
+}
+
+/// R = s R_s + d R_d with d = 1 - s and, by Lambert's law, R_d = max(0, N . L).   [T] (1.3)
+/// \param s  specular share, [0, 1]
+template <class Real>
+Real cook_torrance_mixed(const Real& s, facet_distribution distribution, const Real& m, const Real& index,
+                         const vec3<Real>& normal, const vec3<Real>& light, const vec3<Real>& view) {
+  return s * cook_torrance(distribution, m, index, normal, light, view) +
+         (1 - s) * clamped_cosine(normal, light);
 }
 
 }  // namespace blysk::golden

@@ -22,13 +22,11 @@ std::vector<sphere_pixel> sphere_pixels(const sphere_scene& scene) {
 
 std::vector<double> shade_sphere(const sphere_scene& scene, const illumination<double>& i, lobe which,
                                  double n) {
-  const vec3<double> half_vec = half_vector(scene.light, scene.view);
   return with_lobe(which, n, [&](const auto& f) {
     std::vector<double> picture;
     for (const auto& [column, row, normal] : sphere_pixels(scene)) {
-      const bool lit = faces_both(normal, scene.light, scene.view);
-      const double highlight = lit ? std::max(0.0, f(clamped_cosine(normal, half_vec))) : 0;
-      picture.push_back(lambert(i, normal, scene.light) + i.point_light * i.ks * highlight);
+      picture.push_back(lambert(i, normal, scene.light) +
+                        i.point_light * i.ks * highlight(f, normal, scene.light, scene.view));
     }
     return picture;
   });

@@ -26,8 +26,7 @@ struct sphere_pixel {
 /// The pixels that the sphere covers, row by row from the top.
 std::vector<sphere_pixel> sphere_pixels(const sphere_scene& scene);
 
-/// Grey value of every such pixel, half_vector_shading with negative lobes set to zero; white light, so that
-/// R = G = B.
+/// Grey value of every such pixel, half_vector_shading; white light, so that R = G = B.
 std::vector<double> shade_sphere(const sphere_scene& scene, const illumination<double>& i, lobe which,
                                  double n);
 

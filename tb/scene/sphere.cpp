@@ -17,7 +17,7 @@
 
 #include "tb/bench/systemc_engine.h"
 #include "tb/files.h"
-#include "tb/golden/lobes.h"
+#include "tb/golden/lobe_formulas.h"
 #include "tb/golden/sphere.h"
 #include "tb/progress.h"
 #include "tb/scene/picture.h"

@@ -6,7 +6,7 @@
 
 #include "tb/bit/quadratic.h"
 #include "tb/catch.h"
-#include "tb/golden/lobes.h"
+#include "tb/golden/lobe_formulas.h"
 
 namespace {
 

@@ -318,31 +318,6 @@ std::vector<table> article_tables() {
   for (auto& row : training_rows(kTraining05, 0.5)) rows.push_back(row);
   for (auto& row : training_rows(kTraining01, 0.1)) rows.push_back(row);
   result.push_back({"article_fig4.md", "# [A] fig. 4: training values, k = 1\n\n" + markdown(rows)});
-
-  rows = {{"Q", "k", "n", "exact coef", "fitted coef", "R exact, mirror 0", "R exact, half vector 0",
-           "R fitted, mirror 0", "R fitted, half vector 0", "R fitted, half vector 60"}};
-  for (const double q : kLevels) {
-    for (const int k : {1, 3, 5}) {
-      for (const int n : {1, 2, 6, 10, 50, 200, 1000}) {
-        const double exact = angle_coefficient_exact<double>(n, k, q);
-        const auto r = [&](double coefficient, lobe_axis axis, double degrees) {
-          return number(angle_reflectance(n, k, q, coefficient, axis, degrees), 4);
-        };
-        const bool fits = n > k;
-        const double fitted = angle_coefficient_fitted<double>(n, k, q);
-        rows.push_back({number(q), std::to_string(k), std::to_string(n), number(exact, 5),
-                        fits ? number(fitted, 5) : "refused", r(exact, lobe_axis::mirror, 0),
-                        r(exact, lobe_axis::half_vector, 0), fits ? r(fitted, lobe_axis::mirror, 0) : "",
-                        fits ? r(fitted, lobe_axis::half_vector, 0) : "",
-                        fits ? r(fitted, lobe_axis::half_vector, 60) : ""});
-      }
-    }
-  }
-  result.push_back(
-      {"energy_angle.md",
-       "# Reflectance R of the normalised angle-based lobe\n\nIncidence in degrees after the axis. Where "
-       "n < k the lobe passes 90 degrees: R is clipped there, the exact coef is not, as [A] has it.\n\n" +
-           markdown(rows)});
   return result;
 }
 

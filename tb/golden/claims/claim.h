@@ -74,6 +74,7 @@ struct table {
 std::vector<table> article_tables();
 std::vector<table> error_tables();
 std::vector<table> energy_tables();
+std::vector<table> angle_energy_tables();
 std::vector<table> stability_tables();
 std::vector<table> picture_tables();
 

@@ -9,8 +9,7 @@
 namespace blysk::golden {
 namespace {
 
-error_summary measure(lobe which, double n) {
-  const auto f = clamped_lobe(which, n);
+error_summary measure(const std::function<double(double)>& f, double n) {
   error_summary result{largest_absolute_error(f, n, 0), rms_error(f, n), {}, {}};
   for (std::size_t i = 0; i < kEpicentres.size(); ++i) {
     const double edge = epicentre_edge(kEpicentres[i], n);
@@ -34,7 +33,19 @@ const std::vector<error_summary>& errors_of(lobe which) {
   static std::map<lobe, std::vector<error_summary>> known;
   auto& result = known[which];
   for (int n = static_cast<int>(result.size()) + 1; n <= kMaxExponent; ++n)
-    result.push_back(measure(which, n));
+    result.push_back(measure(clamped_lobe(which, n), n));
+  return result;
+}
+
+const std::vector<error_summary>& errors_of_angle(int k) {
+  static std::map<int, std::vector<error_summary>> known;
+  auto& result = known[k];
+  for (int n = static_cast<int>(result.size()) + 1; n <= kMaxExponent; ++n) {
+    result.push_back(
+        measure([scale = angle_scale<double>(n, k, 0.5),
+                 k](double c) { return angle_lobe_scaled<double>(k, scale * angle_of_cosine(c)); },
+                n));
+  }
   return result;
 }
 
@@ -97,7 +108,8 @@ double lobe_reflectance(lobe which, double n, lobe_axis axis, double incidence_d
 double angle_reflectance(double n, double k, double q, double coefficient, lobe_axis axis,
                          double incidence_degrees) {
   const double limit = angle_limit(n, k, q);
-  return coefficient * reflectance([&](double x) { return angle_lobe(n, k, q, x); }, axis,
+  const double scale = angle_scale(n, k, q);
+  return coefficient * reflectance([&](double x) { return angle_lobe_scaled(k, scale * x); }, axis,
                                    incidence_degrees * boost::math::constants::degree<double>(),
                                    std::min(limit, boost::math::constants::half_pi<double>()));
 }

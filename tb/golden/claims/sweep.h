@@ -42,6 +42,9 @@ struct error_summary {
 /// Entry n - 1 for n = 1..1000.
 const std::vector<error_summary>& errors_of(lobe which);
 
+/// The same for the angle-based lobe at Q = 0.5, k = 1..5, as a function of the cosine.
+const std::vector<error_summary>& errors_of_angle(int k);
+
 /// A value and the exponent at which it lies.
 struct worst {
   double value;

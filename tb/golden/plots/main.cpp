@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Writes the data of every figure, the gnuplot calls that draw it, and the page of captions.
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -9,10 +10,11 @@
 #include <vector>
 
 #include "tb/golden/angle.h"
+#include "tb/golden/claims/claim.h"
 #include "tb/golden/claims/slopes.h"
 #include "tb/golden/claims/sweep.h"
-#include "tb/golden/naive.h"
-#include "tb/golden/referee.h"
+#include "tb/golden/hard_forms.h"
+#include "tb/golden/running_error.h"
 #include "tb/golden/shift_division.h"
 
 namespace {
@@ -31,6 +33,9 @@ struct figure {
   std::string log_axes;  ///< "", "x", "y" or "xy"
   std::vector<double> x;
   std::vector<curve> curves;
+  std::string y_range = "[*:*]";
+  std::string style = "lines lw 2";
+  std::function<double(double)> abscissa = std::identity();  ///< of a curve with a parameter
 };
 
 std::vector<double> steps(double first, double last, int count) {
@@ -81,12 +86,6 @@ double angle_error(double n) {
   return result;
 }
 
-/// Roundoffs of a value against its exact counterpart; a floor for the logarithmic axis.
-template <class Real>
-double roundoffs(const Real& value, const referee& exact) {
-  return std::max(0.01, static_cast<double>(abs(referee(value) / exact - 1) / roundoff<Real>()));
-}
-
 std::vector<figure> article_figures() {
   const std::vector<double> from6 = exponents(6, 1000);
   return {
@@ -105,7 +104,8 @@ std::vector<figure> article_figures() {
        "error, %",
        "xy",
        from6,
-       {{"angle-based", angle_error}, relative("Schlick", lobe::schlick, epicentre::inflection)}},
+       {{"angle-based", angle_error}, relative("Schlick", lobe::schlick, epicentre::inflection)},
+       "[0.1:100]"},
       {"article_fig9",
        "[A] fig. 9: deviation of fitted coef 2 pi Int from 1, k = 5, Q = 0.5",
        "n",
@@ -164,7 +164,7 @@ std::vector<figure> thesis_figures() {
        "angle, degrees",
        "error, %",
        "",
-       steps(0, 20, 160),
+       steps(0, std::acos(1 - 1 / exact_coefficient(20.0)) / kDegree, 160),
        {{"quadratic, exact a",
          [](double degrees) {
            const double c = std::cos(degrees * kDegree);
@@ -245,16 +245,24 @@ std::vector<figure> own_figures() {
         over_exponents(title, which, [](const error_summary& e) { return e.whole.value; }));
     inside.curves.push_back(relative(title, which, epicentre::level_056));
   }
-  const auto level = [](auto real, double n) {
-    return angle_of_level(decltype(real)(n), decltype(real)(0.5));
-  };
-  const auto naive_level = [](auto real, double n) {
-    return naive::angle_of_level(decltype(real)(n), decltype(real)(0.5));
-  };
   return {
       whole,
       inside,
       {"slope_front",
+       "Line a = slope n - 1/2: epicentre against whole-range error, a mark each 0.05",
+       "largest absolute error, whole range",
+       "largest relative error, epicentre",
+       "",
+       steps(0.3, 1, 14),
+       {{"cos^n >= 0.56, slope from 0.3 (top right) to 1",
+         [](double s) { return slope_error(s, slope_axis::epicentre, 1); }},
+        {"the same without n = 1", [](double s) { return slope_error(s, slope_axis::epicentre, 2); }},
+        {"up to the inflection point, from n = 2",
+         [](double s) { return slope_error(s, slope_axis::inflection, 2); }}},
+       "[0:*]",
+       "linespoints lw 2 pt 7 ps 0.7",
+       [](double s) { return slope_error(s, slope_axis::whole, 1); }},
+      {"slope_errors",
        "Slope of the line a = slope n - 1/2: whole range against epicentre",
        "slope",
        "error",
@@ -276,35 +284,6 @@ std::vector<figure> own_figures() {
         {"0.786 n - 0.5", [](double n) { return 0.786 * n - 0.5 - exact_coefficient(n); }},
         {"2 (1 - e^{-1/2}) n - 0.5",
          [](double n) { return coefficient(coefficient_line::derived, n) - exact_coefficient(n); }}}},
-      {"stability_coefficient",
-       "Relative error of (9) in roundoffs: literal and stable form",
-       "n",
-       "error, roundoffs",
-       "xy",
-       from2,
-       {{"literal, float",
-         [](double n) {
-           return roundoffs(naive::exact_coefficient(static_cast<float>(n)), exact_coefficient(referee(n)));
-         }},
-        {"literal, double",
-         [](double n) { return roundoffs(naive::exact_coefficient(n), exact_coefficient(referee(n))); }},
-        {"stable, float",
-         [](double n) {
-           return roundoffs(exact_coefficient(static_cast<float>(n)), exact_coefficient(referee(n)));
-         }},
-        {"stable, double",
-         [](double n) { return roundoffs(exact_coefficient(n), exact_coefficient(referee(n))); }}}},
-      {"stability_level",
-       "Relative error of acos(0.5^(1/n)) in roundoffs: literal and stable form",
-       "n",
-       "error, roundoffs",
-       "xy",
-       all,
-       {{"literal, float", [=](double n) { return roundoffs(naive_level(float{}, n), level(referee{}, n)); }},
-        {"literal, double",
-         [=](double n) { return roundoffs(naive_level(double{}, n), level(referee{}, n)); }},
-        {"stable, float", [=](double n) { return roundoffs(level(float{}, n), level(referee{}, n)); }},
-        {"stable, double", [=](double n) { return roundoffs(level(double{}, n), level(referee{}, n)); }}}},
       {"energy_oblique",
        "Reflectance of the published and the safe cosine-quadratic by incidence, n = 17",
        "incidence, degrees",
@@ -322,6 +301,96 @@ std::vector<figure> own_figures() {
   };
 }
 
+/// At most this many points of a hard form: more would only blacken the plot.
+constexpr std::size_t kHardPoints = 128;
+
+/// Error of the two forms of a formula in both types, and what the stable one is sure to keep in float.
+figure hard_figure(const hard_form& form) {
+  // What is exact lies on the lower edge.
+  const auto shown = [](double ulp) { return std::max(ulp, 0.01); };
+  figure result{"hard_" + form.name,
+                form.name == "shadowing" ? "G/(N.V), whole and term by term: errors in ulp"
+                                         : form.literal + " beside " + form.stable + ": errors in ulp",
+                form.argument,
+                "error, ulp",
+                form.name == "versine" || form.name == "shadowing" ? "xy" : "y",
+                {},
+                {{"literal, float", [=](double x) { return shown(form.in_float(x).literal); }},
+                 {"literal, double", [=](double x) { return shown(form.in_double(x).literal); }},
+                 {"stable, float", [=](double x) { return shown(form.in_float(x).stable); }},
+                 {"stable, double", [=](double x) { return shown(form.in_double(x).stable); }}},
+                "[0.01:*]",
+                "points pt 7 ps 0.5"};
+  const std::size_t stride = form.points.size() / kHardPoints + 1;
+  for (std::size_t i = 0; i < form.points.size(); i += stride) {
+    // Those of the shadowing below the least double are beyond gnuplot's axes; float shows the same.
+    if (form.points[i] > 1e-50) result.x.push_back(form.points[i]);
+  }
+  return result;
+}
+
+std::vector<figure> hard_figures() {
+  std::vector<figure> result;
+  for (const char* name : {"coefficient", "level", "angle", "schlick", "schlick_modified_d", "gx", "parabola",
+                           "versine", "fresnel", "beckmann", "shadowing", "power"})
+    result.push_back(hard_figure(*std::ranges::find(hard_forms(), name, &hard_form::name)));
+
+  const auto near_root = [](double distance) {
+    return bounded<float>(static_cast<float>(1 - 3.0 / 101 + distance));
+  };
+  const auto in_ulp = [](const referee& error, const referee& exact) {
+    return std::max(0.01, static_cast<double>(error / ulp_of<float>(exact)));
+  };
+  result.push_back(
+      {"hard_root",
+       "The cosine-quadratic beside its root: ulp grow with the condition number: n = 100, float",
+       "c - root",
+       "error, ulp",
+       "xy",
+       steps(-6, -1.3, 120),
+       {{"error",
+         [=](double x) {
+           const auto exact = cosine_quadratic(bounded<float>(100), near_root(std::pow(10, x)));
+           const float value =
+               cosine_quadratic(100.0F, static_cast<float>(near_root(std::pow(10, x)).value()));
+           return in_ulp(abs(referee(value) - exact.value()), exact.value());
+         }},
+        {"bound",
+         [=](double x) {
+           const auto exact = cosine_quadratic(bounded<float>(100), near_root(std::pow(10, x)));
+           return in_ulp(exact.error(), exact.value());
+         }}},
+       "[0.01:*]",
+       "points pt 7 ps 0.5",
+       [](double x) { return std::pow(10, x); }});
+  result.push_back(
+      {"hard_underflow",
+       "c^{1000} in float leaves the normal numbers at c = 0.9164: half their spacing is what is lost",
+       "c",
+       "value, relative error",
+       "y",
+       steps(0.9, 0.93, 240),
+       {{"c^{1000}", [](double c) { return std::pow(static_cast<float>(c), 1000.0); }},
+        {"relative error in float",
+         [](double c) {
+           const auto single = static_cast<float>(c);
+           const referee exact = blinn(referee(1000), referee(single));
+           return static_cast<double>(abs(referee(blinn(1000.0F, single)) / exact - 1));
+         }}},
+       "[1e-46:10]",
+       "points pt 7 ps 0.5"});
+  result.push_back({"hard_cosine_bits",
+                    "Fraction bits of the cosine with which cos^n is off by no more than half an 8-bit step",
+                    "n",
+                    "bits",
+                    "x",
+                    exponents(1, 1000),
+                    {{"measured", [](double n) { return cosine_bits(static_cast<int>(n)); }},
+                     {"log_2(510 n) - 1", [](double n) { return std::log2(510 * n) - 1; }}},
+                    "[7:19]"});
+  return result;
+}
+
 void write_data(const std::filesystem::path& directory, const figure& f) {
   std::ofstream out(directory / (f.name + ".csv"));
   out.precision(9);
@@ -329,8 +398,16 @@ void write_data(const std::filesystem::path& directory, const figure& f) {
   for (const auto& c : f.curves) out << ';' << c.title;
   out << '\n';
   for (const double x : f.x) {
-    out << x;
-    for (const auto& c : f.curves) out << ';' << c.y(x);
+    out << f.abscissa(x);
+    for (const auto& c : f.curves) {
+      const double y = c.y(x);
+      // Nothing but rounding, also in per cent, has no place on a logarithmic axis that starts by itself.
+      if (f.log_axes.ends_with('y') && f.y_range == "[*:*]" && y < 100 * kRounding) {
+        out << ";nan";
+      } else {
+        out << ';' << y;
+      }
+    }
     out << '\n';
   }
 }
@@ -350,12 +427,20 @@ int main(int argc, char** argv) {
   std::ofstream calls(data / "figures.gp");
   std::ofstream captions(argv[2]);
   captions << "<!-- generated by golden_plots; do not edit -->\n# Figures\n\n"
-              "Curves of the seeds measured again, and the project's own. `ninja plots` draws them all.\n";
-  for (const auto& figures : {article_figures(), thesis_figures(), own_figures()}) {
+              "Curves of the seeds measured again, and the project's own. `ninja plots` draws them all.\n\n"
+              "[T] fig. 3.13 draws time against n. It is not drawn here: no lobe but reading C of the "
+              "modified Schlick and "
+              "those that contain cos^n does anything that depends on n, so a curve would show the machine. "
+              "Ratios at n = "
+              "50 are in [speed.csv](../tables/speed.csv).\n";
+  for (const auto& figures : {article_figures(), thesis_figures(), own_figures(), hard_figures()}) {
     for (const auto& f : figures) {
       write_data(data, f);
-      calls << "call script '" << f.name << "' '" << f.x_label << "' '" << f.y_label << "' '" << f.log_axes
-            << "' '" << f.curves.size() + 1 << "'\n";
+      calls << "call script";
+      for (const std::string& argument : {f.name, f.caption, f.x_label, f.y_label, f.log_axes, f.y_range,
+                                          f.style, std::to_string(f.curves.size() + 1)})
+        calls << " \"" << argument << '"';
+      calls << '\n';
       captions << "\n![" << f.name << "](" << f.name << ".svg)\n\n" << f.caption << "\n";
     }
   }

@@ -50,6 +50,7 @@ TEST_CASE("values worked out by hand", "[golden]") {
   CHECK(call("schlick-modified-b", {4, 0.5}) == 0.5 / 3);  // 0.5 + 2 + 0.5
   CHECK(call("quadratic-exact", {1, 0.5}) == 0.5);         // a(1) = 0
   CHECK(call("quadratic-published", {1000, 0}) == 0);
+  CHECK(!std::signbit(call("quadratic-published", {1000, 0})));
   CHECK(call("cosine-quadratic", {2, 0.5}) == 0.25);  // (1 - 0.5)^2
   CHECK(call("cosine-quadratic", {11, 0.5}) == 0);    // beyond the root 0.75
   CHECK(call("lyon-2", {2, 0.5}) == 0.25);

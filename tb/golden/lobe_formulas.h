@@ -6,9 +6,8 @@
 /// 1 - c is formed first wherever a formula allows it: it is exact for c >= 1/2, where the lobe lies.
 #pragma once
 
-#include <boost/math/constants/constants.hpp>
-
 #include "tb/golden/coefficient.h"
+#include "tb/golden/pi.h"
 
 namespace blysk::golden {
 
@@ -22,7 +21,7 @@ Real blinn(const Real& n, const Real& c) {
 /// (n + 6) / (8 pi) c^n.   [T] fig. 2.16. In [0, (n + 6) / (8 pi)].
 template <class Real>
 Real blinn_normalised(const Real& n, const Real& c) {
-  return (n + 6) / (8 * boost::math::constants::pi<Real>()) * blinn(n, c);
+  return (n + 6) / (8 * pi<Real>()) * blinn(n, c);
 }
 
 /// c / (n - n c + c), its denominator as n (1 - c) + c.   [T] (1.5) (2.1). In [0, 1].
@@ -31,7 +30,8 @@ Real schlick(const Real& n, const Real& c) {
   return c / (n * (1 - c) + c);
 }
 
-/// Angle whose cosine is c, as 2 asin(sqrt((1 - c) / 2)): acos(c) rounds c - 1 away near the peak.
+/// Angle whose cosine is c, as 2 asin(sqrt((1 - c) / 2)): it shows what a good acos does near the peak, and depends on
+/// none.
 /// \return  rad, [0, pi / 2] for c in [0, 1]
 template <class Real>
 Real angle_of_cosine(const Real& c) {
@@ -40,18 +40,25 @@ Real angle_of_cosine(const Real& c) {
   return 2 * asin(sqrt(Real((1 - c) / 2)));
 }
 
+/// 1 - cos(y) as 2 sin^2(y / 2). In [0, 2].
+template <class Real>
+Real versine(const Real& y) {
+  using std::sin;
+  const Real s = sin(Real(y / 2));
+  return 2 * s * s;
+}
+
 /// What [T] (2.2) prints as "0.5 n (1 - cos gamma^2)", gamma = acos(c), can be read in four ways.
 enum class schlick_reading {
   a,  ///< n (1 - c^2) / 2
   b,  ///< n (1 - c)^2 / 2
   c,  ///< n (1 - cos(gamma^2)) / 2
-  d,  ///< (n (1 - c))^2 / 2, the one reading that meets the 3.2 % of [T]
+  d,  ///< (n (1 - c))^2 / 2, the one reading that meets the 3.2 % of [T], and that from n = 2 on
 };
 
 /// c / (t + n - n c + c), t the term of the given reading.   [T] (2.2). In [0, 1].
 template <class Real>
 Real schlick_modified(schlick_reading reading, const Real& n, const Real& c) {
-  using std::sin;
   const Real u = 1 - c;
   Real term = 0;
   switch (reading) {
@@ -63,8 +70,7 @@ Real schlick_modified(schlick_reading reading, const Real& n, const Real& c) {
       break;
     case schlick_reading::c: {
       const Real gamma = angle_of_cosine(c);
-      const Real s = sin(Real(gamma * gamma / 2));  // (1 - cos y) / 2 = sin^2(y / 2)
-      term = n * s * s;
+      term = n * versine(Real(gamma * gamma)) / 2;
       break;
     }
     case schlick_reading::d:
@@ -92,9 +98,8 @@ Real quadratic(coefficient_line line, const Real& n, const Real& c) {
 /// 1 / (8 pi integral_0^1 max(0, a (c^2 - c) + c) dc); docs/numerics.md has the proof.
 template <class Real>
 Real quadratic_energy_factor(const Real& a) {
-  const Real pi = boost::math::constants::pi<Real>();
-  if (a < 1) return 3 / (4 * pi * (3 - a));
-  return 3 * a * a / (4 * pi * (3 * a - 1));
+  if (a < 1) return 3 / (4 * pi<Real>() * (3 - a));
+  return 3 * a * a / (4 * pi<Real>() * (3 * a - 1));
 }
 
 /// quadratic_energy_factor(a) max(0, a (c^2 - c) + c). In [0, quadratic_energy_factor(a)].
@@ -121,7 +126,7 @@ Real cosine_quadratic_energy(const Real& n, const Real& c) {
 /// docs/numerics.md has the proof. In [0, (n + 1) / (8 pi)].
 template <class Real>
 Real cosine_quadratic_energy_safe(const Real& n, const Real& c) {
-  return (n + 1) / (8 * boost::math::constants::pi<Real>()) * cosine_quadratic(n, c);
+  return (n + 1) / (8 * pi<Real>()) * cosine_quadratic(n, c);
 }
 
 /// x^K, K a power of two, by squaring.
