@@ -179,9 +179,9 @@ std::vector<claim> errata() {
   for (claim& row : rows) {
     std::string anchor = row.id;
     anchor.front() = 'e';
-    append(row.measured, " ", "[Table](tables/errata.md#", anchor, ").");
+    append(row.measured, ". ", "[Table](tables/errata.md#", anchor, ")");
     if (const auto found = pictures.find(row.id); found != pictures.end())
-      append(row.measured, " ", "[Picture](figures/", found->second, ".svg).");
+      append(row.measured, ", ", "[picture](figures/", found->second, ".svg)");
   }
   return rows;
 }

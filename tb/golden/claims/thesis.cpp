@@ -48,16 +48,16 @@ struct relative_claim {
 claim measured_against(const relative_claim& c) {
   std::string text;
   std::vector<reading> readings;
-  for (const auto& [name, error] : c.candidates) {
-    append(text, "; ", name, ": ");
+  for (const candidate& each : c.candidates) {
+    append(text, "; ", each.name, ": ");
     std::string separator;
     for (const epicentre where : kEpicentres) {
       const int first = first_exponent(where);
-      const worst w = worst_over(first, c.last, [&](int n) { return error(where, n); });
+      const worst w = worst_over(first, c.last, [&](int n) { return each.error(where, n); });
       append(text, "", separator, name_of(where), " ", percent_at(w), ", met for ",
-             met_for(first, c.last, [&](int n) { return error(where, n) <= c.limit; }));
+             met_for(first, c.last, [&](int n) { return each.error(where, n) <= c.limit; }));
       separator = ", ";
-      readings.push_back({name + " (" + std::string(name_of(where)) + ")", w.value <= c.limit});
+      readings.push_back({each.name + " (" + std::string(name_of(where)) + ")", w.value <= c.limit});
     }
   }
   return {c.id, c.place, c.says, "largest, and for which n the limit is met: " + text + c.note,

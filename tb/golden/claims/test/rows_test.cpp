@@ -565,6 +565,15 @@ TEST_CASE("the article's coefficient by sums of cosines", "[golden][claims]") {
   rows.push_back({"A-F7", "does not hold", {determination(1, 4)}});
   rows.push_back({"A-F8", "does not hold", {determination(5, 9)}});
 
+  for (const int n : {1, 10, 1000}) {
+    // acos near 1 leaves n roundoffs of cos^n.
+    const double x = std::acos(std::pow(0.5, 1.0 / n));
+    CHECK(std::abs(std::pow(std::cos(literal_scale(n, 5, 0.5) * x), 5) - 0.5) < 64 * n * 0x1p-53);
+  }
+  rows.push_back({"A7", "holds", {"exponents: 0"}});
+  // The least of cos^k(0.99 pi/2), k = 1..5
+  rows.push_back({"A8", "holds", {"exponents: 0;", number(std::pow(std::cos(0.99 * kPi / 2), 5), 2)}});
+
   // R with x from the half vector: 8 pi integral of cos^2(A x) cos x sin x (2 cos^2 x - 1), by Simpson's rule.
   const double scale = literal_scale(100, 2, 0.5);
   const double end = literal_limit(100, 2, 0.5);
