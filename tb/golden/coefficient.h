@@ -25,8 +25,8 @@ Real coefficient_slope() {
 
 /// a = (t^(n-1) - 1) / (t - 1), t = sqrt((n-1)/n) the cosine at the inflection point of cos^n.   [P] (9)
 /// As expm1((n-1) l) / expm1(l) with l = ln t = -log1p(1/(n-1)) / 2. No step cancels: n - 1 is exact for
-/// n <= 2, and log1p of a positive and expm1 of a negative number pass relative errors on undiminished at
-/// most. \param n  specular exponent, [1, 1000]; n = 1, where (9) reads 0/0, gives its limit 0
+/// n <= 2, and log1p of a positive and expm1 of a negative number do not enlarge relative errors.
+/// \param n  specular exponent, [1, 1000]; n = 1, where (9) reads 0/0, gives its limit 0
 template <class Real>
 Real exact_coefficient(const Real& n) {
   using std::expm1;

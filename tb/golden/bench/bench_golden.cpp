@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "tb/golden/lobe.h"
+#include "tb/golden/sphere.h"
 
 namespace {
 
@@ -51,8 +52,8 @@ double pow_seconds() {
 }
 
 /// A rate times the seconds of one pow is the number of elements in the time of one pow.
-void count(benchmark::State& state) {
-  const auto items = static_cast<double>(state.iterations()) * static_cast<double>(kCount);
+void count(benchmark::State& state, std::size_t elements = kCount) {
+  const auto items = static_cast<double>(state.iterations()) * static_cast<double>(elements);
   state.SetItemsProcessed(static_cast<int64_t>(items));
   state.counters["pow_ratio"] = benchmark::Counter(items * pow_seconds(), benchmark::Counter::kIsRate);
 }
@@ -80,6 +81,32 @@ void bench_lobe(benchmark::State& state, lobe which) {
   count(state);
 }
 
+/// One value after the other, as code that asks for them singly does: no two share a vector.
+void bench_scalar(benchmark::State& state, lobe which) {
+  const auto c = cosines<double>();
+  with_lobe(which, kExponent, [&](const auto& f) {
+    for (auto _ : state) {
+      for (const double cosine : c) {
+        double value = f(cosine);
+        benchmark::DoNotOptimize(value);
+      }
+    }
+  });
+  count(state);
+}
+
+/// A whole picture: normals, diffuse light, highlight.
+void bench_sphere(benchmark::State& state, lobe which) {
+  const sphere_scene scene;
+  std::size_t pixels = 0;
+  for (auto _ : state) {
+    const auto picture = shade_sphere(scene, {1, 1, 0.1, 0.3, 0.6}, which, kExponent);
+    benchmark::DoNotOptimize(picture.data());
+    pixels = picture.size();
+  }
+  count(state, pixels);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -87,7 +114,10 @@ int main(int argc, char** argv) {
   for (const auto& [which, name] : kLobes) {
     benchmark::RegisterBenchmark(("double/" + std::string(name)).c_str(), bench_lobe<double>, which);
     benchmark::RegisterBenchmark(("float/" + std::string(name)).c_str(), bench_lobe<float>, which);
+    benchmark::RegisterBenchmark(("scalar/" + std::string(name)).c_str(), bench_scalar, which);
   }
+  for (const lobe which : {lobe::blinn, lobe::schlick, lobe::cosine_quadratic})
+    benchmark::RegisterBenchmark(("sphere/" + std::string(name_of(which))).c_str(), bench_sphere, which);
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
   benchmark::RunSpecifiedBenchmarks();

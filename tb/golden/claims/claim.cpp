@@ -16,7 +16,7 @@ std::string number(double value, int digits) {
 }
 
 std::string percent(double value, int digits) {
-  return number(100 * value, digits) + " %";
+  return (std::abs(value) < kRounding ? "0" : number(100 * value, digits)) + " %";
 }
 
 std::string verdict_of(bool holds) {

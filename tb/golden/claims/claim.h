@@ -60,6 +60,19 @@ std::string ranges(const std::vector<bool>& members);
 /// A table in Markdown: the first row is the head.
 std::string markdown(const std::vector<std::vector<std::string>>& rows);
 
+/// Name of the test that asserts a row's numbers by themselves, from closed forms or by another method than that of
+/// the page; docs.verification, which only measures again, for the rest.
+/// \param id  of a row, such as "T4"
+std::string held_by(std::string_view id);
+
+/// What a test holds: its name without "golden.claims: ", and the rows.
+struct holding {
+  std::string_view test;
+  std::vector<std::string_view> rows;
+};
+
+const std::vector<holding>& holdings();
+
 std::vector<claim> patent_claims();
 std::vector<claim> article_claims();
 std::vector<claim> thesis_claims();
@@ -72,6 +85,7 @@ struct table {
 };
 
 std::vector<table> article_tables();
+std::vector<table> errata_tables();
 std::vector<table> error_tables();
 std::vector<table> energy_tables();
 std::vector<table> angle_energy_tables();

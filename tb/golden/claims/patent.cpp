@@ -64,6 +64,15 @@ std::vector<claim> patent_claims() {
            quoted(lobe::quadratic_exact),
        std::string(kAmbiguous) + ": no threshold is stated"});
 
+  int wrong = 0;
+  constexpr unsigned kMask = 0xff;
+  for (unsigned a = 0; a <= kMask; ++a) {
+    for (unsigned b = 0; b <= kMask; ++b) wrong += ((a + (~b & kMask) + 1) & kMask) != ((a - b) & kMask);
+  }
+  rows.push_back(
+      {"P10", "adder 9", "inverters and a carry of 1 make the adder subtract",
+       std::to_string(wrong) + " of the 65536 pairs of 8 bits differ; at any width, as ~b = 2^w - 1 - b",
+       verdict_of(wrong == 0)});
   const double rom_bits = 8.0 * 2048 / 1024;
   rows.push_back({"P6", "prototype", "the prototype needs a read-only memory of at least 2 KB",
                   "n in 1..1000 takes 10 address bits, 1024 words; 2 KB give " + number(rom_bits) +

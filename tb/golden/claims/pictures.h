@@ -10,8 +10,9 @@
 
 namespace blysk::golden {
 
-/// [T] does not state the shares of its scene, and NMSE falls with the share of what both pictures have
-/// alike.
+/// [T] states the shares of table 3.2 nowhere; fig. 3.9 shows one setting of its program. NMSE falls with the
+/// share of what both pictures have alike. It does not depend on the light's colour: a channel's intensity is a
+/// common factor of (3.1)'s sums.
 struct picture_scene {
   std::string_view name;
   illumination<double> light;
@@ -19,16 +20,14 @@ struct picture_scene {
 
 inline constexpr std::array kPictureScenes{
     picture_scene{"highlight alone", {1, 1, 0, 0, 1}},
+    picture_scene{"fig. 3.9: Ia 0 kd 0.5 ks 0.5", {0, 1, 1, 0.5, 0.5}},
     picture_scene{"ka 0.1 kd 0.3 ks 0.6", {1, 1, 0.1, 0.3, 0.6}},
     picture_scene{"ka 0.1 kd 0.6 ks 0.3", {1, 1, 0.1, 0.6, 0.3}},
 };
 
-/// Exponents at which pictures are compared.
-inline constexpr std::array kPictureExponents{1, 2, 3, 5, 10, 20, 50, 100, 169, 170, 200, 500, 1000};
-
-double sphere_nmse(lobe which, const picture_scene& scene, int n);
-
-/// Largest over the picture exponents in [first, last].
-worst worst_nmse(lobe which, const picture_scene& scene, int first, int last);
+/// NMSE of the lobe's picture of the sphere against that of Blinn's.
+/// \param which  name of one of kApproximations, or table_form::kName: best_table_form where c^n >= 0.6
+/// \param n      specular exponent, 1..1000
+double sphere_nmse(std::string_view which, const picture_scene& scene, int n);
 
 }  // namespace blysk::golden
