@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "tb/files.h"
 #include "tb/engine.h"
+#include "tb/files.h"
 
 namespace blysk::cli {
 

@@ -48,12 +48,12 @@ struct waves {
     values.push_back(now);
   }
 
-  /// \param is_signed  two's complement; SystemC leaves equal leading bits out
+  /// \param is_signed  two's complement
   long long value(std::size_t i, const std::string& name, bool is_signed = false) const {
-    const std::string& bits = values[i].at(codes.at(name));
+    const std::string& bits = values[i].at(codes.at(name));  // leading zeros are left out
     const long long raw = std::stoll(bits, nullptr, 2);
-    const auto width = static_cast<int>(bits.size());
-    return is_signed && bits[0] == '1' ? raw - (1LL << width) : raw;
+    const int width = widths.at(name);
+    return is_signed && raw >> (width - 1) != 0 ? raw - (1LL << width) : raw;
   }
 };
 
