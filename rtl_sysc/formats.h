@@ -120,13 +120,19 @@ struct wired_constants {
 /// Node 31 and 32 of the line a = 0.786 n + 0.5, [P] (10), for a constant of `bits` bits, rounded to nearest:
 /// 8 bits give 0.11001001b, what [P] prints as "bits 1, 2, 5, 6" (spec errata E1..E3).
 constexpr wired_constants published_line(int bits) {
-  return {((std::int64_t{786} << bits) + 500) / 1000, 1};
+  wired_constants wired{};
+  wired.slope = ((std::int64_t{786} << bits) + 500) / 1000;
+  wired.offset = 1;
+  return wired;
 }
 
 /// Node 31 and 32 of the line that follows from [P] (9): a = S n - 1/2, S = 2(1 - e^(-1/2)).
 constexpr wired_constants derived_line(int bits) {
   constexpr std::int64_t slope_q60 = 907278527641548290;  // S * 2^60
-  return {(slope_q60 + (std::int64_t{1} << (59 - bits))) >> (60 - bits), -1};
+  wired_constants wired{};
+  wired.slope = (slope_q60 + (std::int64_t{1} << (59 - bits))) >> (60 - bits);
+  wired.offset = -1;
+  return wired;
 }
 
 }  // namespace blysk

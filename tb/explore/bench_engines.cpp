@@ -11,15 +11,18 @@
 #include <filesystem>
 #include <map>
 #include <random>
+#include <span>
 
 #include "tb/bench/systemc_engine.h"
 #include "tb/bit/quadratic.h"
+#include "tb/golden/lobe.h"
 
 namespace {
 
 using namespace blysk;
 
-constexpr std::size_t kColumn = 1024;    // elements whose columns stay in cache
+constexpr std::size_t kColumn = 1024;  // elements whose columns stay in cache
+constexpr const char* kPerBareCycle = "results_per_bare_cycle";
 constexpr std::size_t kWrites = 100000;  // through SystemC, a time
 
 /// Random writes of q16, seed 1. Only cos changes, as along a scan line, or every register.
@@ -54,6 +57,31 @@ void golden_blinn(benchmark::State& state) {
       green[i] = brdf * writes.green_ks[i];
       blue[i] = brdf * writes.blue_ks[i];
     }
+    benchmark::ClobberMemory();
+  }
+  set_items(state, kColumn);
+}
+
+/// The device's own formula in double, a picture at a time: one exponent, one BRDF an element.
+void golden_quadratic(benchmark::State& state) {
+  const batch writes = random_writes(kColumn, false);
+  std::vector<double> cosines(kColumn), brdf(kColumn);
+  for (std::size_t i = 0; i < kColumn; ++i) cosines[i] = writes.cos_delta[i] / 65536.0;
+  for (auto _ : state) {
+    golden::evaluate(golden::lobe::quadratic_derived, 50.0, std::span<const double>(cosines),
+                     std::span<double>(brdf));
+    benchmark::ClobberMemory();
+  }
+  set_items(state, kColumn);
+}
+
+/// The engine as `simulate` calls it, with its copies into 64-bit results.
+void bit_engine(benchmark::State& state) {
+  const batch writes = random_writes(kColumn, true);
+  const auto device = bit::make_quadratic({});
+  results out;
+  for (auto _ : state) {
+    device->run(writes, out);
     benchmark::ClobberMemory();
   }
   set_items(state, kColumn);
@@ -116,33 +144,37 @@ struct bare_clock : sc_core::sc_module {
   void count() { q.write(q.read() + 1); }
 };
 
-void systemc_bare_clock(benchmark::State& state) {
+/// Seconds a cycle of the bare clock.
+double bare_clock_seconds() {
   constexpr std::size_t kCycles = 500000;
-  for (auto _ : state) {
-    state.SetIterationTime(seconds_in_child([] {
-      bare_clock bare("bare");
-      sc_core::sc_start(bench::kClockPeriodNs, sc_core::SC_NS);
-      return seconds([] { sc_core::sc_start(bench::kClockPeriodNs * kCycles, sc_core::SC_NS); });
-    }));
-  }
-  set_items(state, kCycles);
+  return seconds_in_child([] {
+           bare_clock bare("bare");
+           sc_core::sc_start(bench::kClockPeriodNs, sc_core::SC_NS);
+           return seconds([] { sc_core::sc_start(bench::kClockPeriodNs * kCycles, sc_core::SC_NS); });
+         }) /
+         kCycles;
 }
 
+/// Each time beside a bare clock of its own, so that what else the machine does falls on both.
 void systemc_device(benchmark::State& state, bool all_registers, bool traced) {
+  const std::size_t count = traced ? kWrites / 10 : kWrites;
   for (auto _ : state) {
-    state.SetIterationTime(seconds_in_child([&] {
+    const double bare = bare_clock_seconds();
+    const double taken = seconds_in_child([&] {
       const auto device = bench::make_systemc({});
       const auto waves = std::filesystem::temp_directory_path() / fmt::format("blysk-bench-{}", getpid());
       if (traced) device->trace(waves.string());
-      const batch writes = random_writes(traced ? kWrites / 10 : kWrites, all_registers);
+      const batch writes = random_writes(count, all_registers);
       results out;
       device->run(random_writes(2, true), out);
-      const double taken = seconds([&] { device->run(writes, out); });
+      const double device_seconds = seconds([&] { device->run(writes, out); });
       if (traced) std::filesystem::remove(waves.string() + ".vcd");
-      return taken;
-    }));
+      return device_seconds;
+    });
+    state.SetIterationTime(taken);
+    state.counters[kPerBareCycle] = bare / (taken / static_cast<double>(count));
   }
-  set_items(state, traced ? kWrites / 10 : kWrites);
+  set_items(state, count);
 }
 
 /// Remembers the median rates while the table is printed.
@@ -154,9 +186,10 @@ class rate_reporter : public benchmark::ConsoleReporter {
       if (run.aggregate_name != "median") continue;
       const std::string name = run.run_name.function_name;
       rates[name] = run.counters.at("items_per_second");
+      if (run.counters.count(kPerBareCycle) != 0) per_bare_cycle[name] = run.counters.at(kPerBareCycle);
     }
   }
-  std::map<std::string, double> rates;
+  std::map<std::string, double> rates, per_bare_cycle;
 };
 
 }  // namespace
@@ -168,14 +201,15 @@ int sc_main(int, char**) {
 int main(int argc, char** argv) {
   sc_core::sc_report_handler::set_actions(sc_core::SC_INFO, sc_core::SC_DO_NOTHING);
   const auto add = [](const char* name, auto function) {
-    return benchmark::RegisterBenchmark(name, function)->Repetitions(7)->ReportAggregatesOnly();
+    return benchmark::RegisterBenchmark(name, function)->Repetitions(9)->ReportAggregatesOnly();
   };
   add("golden_blinn", golden_blinn);
+  add("golden_quadratic", golden_quadratic);
+  add("bit_engine", bit_engine);
   add("bit_q8", bit_kernel<q8>);
   add("bit_q16", bit_kernel<q16>);
   add("bit_q22", bit_kernel<q22>);
   add("bit_q24", bit_kernel<q24>);
-  add("bare_clock", systemc_bare_clock)->UseManualTime()->Iterations(1);
   const auto add_device = [&](const char* name, bool all_registers, bool traced) {
     add(name, [=](benchmark::State& state) { systemc_device(state, all_registers, traced); })
         ->UseManualTime()
@@ -193,14 +227,19 @@ int main(int argc, char** argv) {
       fmt::print("{:<58} {:8.3f}\n", what, reporter.rates[a] / reporter.rates[b]);
     }
   };
-  fmt::print("\nratios of the medians\n");
+  fmt::print("\nratios of the medians; those to the bare clock are medians of pairs\n");
   ratio("bit q8 / golden Blinn (std::pow)", "bit_q8", "golden_blinn");
   ratio("bit q16 / golden Blinn (std::pow)", "bit_q16", "golden_blinn");
   ratio("bit q22 / golden Blinn (std::pow)", "bit_q22", "golden_blinn");
   ratio("bit q24 / golden Blinn (std::pow)", "bit_q24", "golden_blinn");
-  ratio("systemc results, cos alone written / cycle of bare clock", "systemc_cos_only", "bare_clock");
-  ratio("systemc results, all registers written / cycle of bare clock", "systemc_all_registers",
-        "bare_clock");
+  ratio("bit engine q16, copies included / golden Blinn (std::pow)", "bit_engine", "golden_blinn");
+  ratio("golden quadratic, BRDF alone / golden Blinn (std::pow)", "golden_quadratic", "golden_blinn");
+  const auto bare_ratio = [&](const char* what, const char* name) {
+    if (reporter.per_bare_cycle.count(name) != 0)
+      fmt::print("{:<58} {:8.3f}\n", what, reporter.per_bare_cycle[name]);
+  };
+  bare_ratio("systemc results, cos alone written / cycle of bare clock", "systemc_cos_only");
+  bare_ratio("systemc results, all registers written / cycle of bare clock", "systemc_all_registers");
   ratio("systemc without a VCD / with one (price of the waves)", "systemc_cos_only", "systemc_cos_only_vcd");
   return 0;
 }

@@ -330,7 +330,7 @@ class block_reader::body {
   std::string table(const node& n) {
     const int width = own_width(n);
     const int index_width = n.operands[0]->width();
-    const std::string name = new_name("rom");
+    std::string name = new_name("rom");
     const std::string index = new_name("index");
     functions_ += fmt::format("  function {}{};\n    input {}{};\n    case ({})\n", range_text(width), name,
                               range_text(index_width), index, index);
@@ -468,6 +468,7 @@ std::string block_reader::text(const std::string& module_name, const std::string
   }
   if (!parameters_.empty()) result += "\n)";
   std::vector<declaration> declared;
+  declared.reserve(ports.size());
   for (const std::string& port : ports) declared.push_back(described(port));
   return file_text(title, fmt::format("{} (\n{}\n);\n\n{}\nendmodule\n", result, port_list(declared, {}),
                                       body(*this).text(declarations_)));

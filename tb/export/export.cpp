@@ -67,10 +67,12 @@ std::string constraints_text(const std::vector<pin>& pins, const std::vector<std
 }  // namespace
 
 std::unique_ptr<model> make_model(const device_options& options) {
+// NOLINTBEGIN(bugprone-macro-parentheses): a type cannot stand in any
 #define BLYSK_DEVICE(identifier, name)                                                                    \
   if (options.device == name) {                                                                           \
     return visit_format(options, [&]<class Q>() { return make_model<devices::identifier, Q>(options); }); \
   }
+// NOLINTEND(bugprone-macro-parentheses)
 #include "tb/devices.def"
 #undef BLYSK_DEVICE
   throw std::invalid_argument("device " + options.device + " does not exist");

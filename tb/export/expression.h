@@ -9,7 +9,7 @@
 
 namespace blysk::verilog {
 
-__extension__ typedef __int128 wide_int;
+__extension__ typedef __int128 wide_int;  // NOLINT(modernize-use-using): __extension__ takes no alias
 
 enum class operation {
   constant,

@@ -181,7 +181,7 @@ class writer {
   std::string leaf(const sc_core::sc_module& module, const block_reader& part) {
     std::vector<std::string> ports;
     for (const sc_core::sc_port_base* port : ports_of(module)) ports.emplace_back(port->basename());
-    const std::string name = leaf_name(typeid(module), part.name(ports));
+    std::string name = leaf_name(typeid(module), part.name(ports));
     add(name, part.text(name, fmt::format("// {}\n{}", part.words(), origin_), ports));
     return name;
   }

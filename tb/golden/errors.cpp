@@ -32,8 +32,8 @@ std::vector<double> sample_cosines(double n, double low, double high) {
 
 peak largest(const std::function<double(double)>& f, double n, double low, double high) {
   const std::vector<double> cosines = sample_cosines(n, low, high);
-  std::vector<double> values;
-  for (const double c : cosines) values.push_back(f(c));
+  std::vector<double> values(cosines.size());
+  std::transform(cosines.begin(), cosines.end(), values.begin(), f);
   peak result{-std::numeric_limits<double>::infinity(), low};
   const auto take = [&](const peak& candidate) {
     if (candidate.value > result.value) result = candidate;

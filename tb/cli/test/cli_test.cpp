@@ -318,4 +318,67 @@ TEST_CASE("every verb has its help", "[cli]") {
   }
 }
 
+TEST_CASE("what cannot be brought to its end is refused, and nothing is left of it", "[cli]") {
+  const scratch folder;
+  const std::string stimulus = folder.write("in.csv", slurp(BLYSK_ROOT "/docs/examples/fig3.csv"));
+  const auto fails = [&](const std::string& arguments, const std::string& message,
+                         const std::string& first = "") {
+    const outcome failed = blysk(folder, arguments, first);
+    CAPTURE(arguments, failed.err);
+    CHECK(failed.status == 2);
+    CHECK(failed.err.starts_with("blysk: "));
+    CHECK(failed.err.find(message) != std::string::npos);
+    CHECK(std::count(failed.err.begin(), failed.err.end(), '\n') == 1);
+    CHECK(folder.names() == std::vector<std::string>{"in.csv"});
+  };
+  const std::string in = " --stimulus " + quoted(stimulus);
+  const auto to = [&](const std::string& name) { return " --results " + quoted(folder.path(name)); };
+  const std::string waves = " --engine systemc --vcd " + quoted(folder.path("w.vcd"));
+  // Results fit into 4 KiB, the waves do not.
+  fails("simulate" + in + to("out.csv") + waves, "w.vcd:0: cannot be written to its end",
+        "trap '' XFSZ; ulimit -f 8; ");
+  fails("simulate" + in + to("in.csv"), "in.csv:0: is given by --stimulus and --results");
+  fails("simulate" + in + to("w.vcd") + waves, "w.vcd:0: is given by --results and --vcd");
+  fails("model blinn --points " + quoted(stimulus) + to("in.csv"),
+        "in.csv:0: is given by --points and --results");
+  fails("shine", "'shine' is no verb, expected simulate, model, export or list");
+  fails("render --help", "'render' is no verb");
+  CHECK(slurp(stimulus) == slurp(BLYSK_ROOT "/docs/examples/fig3.csv"));
+}
+
+TEST_CASE("a full standard output is an error", "[cli]") {
+  const std::string program = quoted(BLYSK_PROGRAM);
+  for (const std::string arguments : {"list", "list --json", "--help"}) {
+    CAPTURE(arguments);
+    const int raw = std::system((program + " " + arguments + " >/dev/full 2>/dev/null").c_str());
+    CHECK((WIFEXITED(raw) && WEXITSTATUS(raw) == 2));
+  }
+}
+
+TEST_CASE("a link is written through, and permissions stay", "[cli]") {
+  const scratch folder;
+  const std::string stimulus = folder.write("in.csv", "n,cos,r,g,b\n10,0.5,1,2,3\n");
+  const std::string real = folder.write("real.csv", "old");
+  fs::permissions(real, fs::perms::owner_read | fs::perms::owner_write);
+  fs::create_symlink("real.csv", folder.path("link.csv"));
+  REQUIRE(blysk(folder,
+                "simulate --stimulus " + quoted(stimulus) + " --results " + quoted(folder.path("link.csv")))
+              .status == 0);
+  CHECK(fs::is_symlink(folder.path("link.csv")));
+  CHECK(slurp(real).starts_with("n,cos,r,g,b,brdf"));
+  CHECK(fs::status(real).permissions() == (fs::perms::owner_read | fs::perms::owner_write));
+}
+
+TEST_CASE("messages do not pass on control bytes or half characters", "[cli]") {
+  const scratch folder;
+  const std::string field =
+      "\x1b[31m" + std::string(17, 'x') +
+      "\xd1\x89\xd1\x89\xd1\x89\xd1\x89\xd1\x89\xd1\x89\xd1\x89\xd1\x89\xd1\x89\xd1\x89";
+  const std::string stimulus = folder.write("in.csv", "n,cos,r,g,b\n" + field + ",0.5,1,2,3\n");
+  const outcome failed = blysk(folder, "simulate --stimulus " + quoted(stimulus) + " --results -");
+  CHECK(failed.status == 2);
+  CHECK(failed.err.find("in.csv:2: n is '\\x1B[31m" + std::string(17, 'x')) != std::string::npos);
+  CHECK(failed.err.find("\xd1...") == std::string::npos);
+}
+
 }  // namespace

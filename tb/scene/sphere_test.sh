@@ -1,0 +1,36 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# sphere_test.sh SPHERE: the main job's files, and what it does where they cannot be written.
+set -euo pipefail
+sphere=$1
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cd "$folder"
+
+fail() { echo "$*" >&2 && exit 1; }
+
+"$sphere" --side 32 --exponents 1,50 --output 'an out' >said
+[ "$(ls 'an out' | paste -sd' ')" = 'quadratic.vcd report.md sphere.png sphere_n1.png sphere_n50.png' ] || fail "files: $(ls 'an out')"
+grep -q 'scripts/wave an out/quadratic.vcd' said || fail "said: $(cat said)"
+grep -q '^| 50 | [0-9.]*e-0[0-9] | ' 'an out/report.md' || fail 'no NMSE in the report'
+
+# refuses MESSAGE COMMAND...: status 2, one line, and nothing new in the folder.
+refuses() {
+  local message=$1 status=0 before
+  shift
+  before=$(find . -not -name error | sort)
+  "$@" >said 2>error || status=$?
+  [ "$status" = 2 ] && [ "$(wc -l <error)" = 1 ] && grep -q "$message" error || fail "status $status: $(cat error)"
+  [ "$(find . -not -name error | sort)" = "$before" ] || fail "left: $(find .)"
+}
+
+mkdir -p taken/quadratic.vcd
+refuses 'quadratic.vcd:0: is a directory, expected a file' "$sphere" --side 32 --output taken
+refuses 'said:0: cannot be made (Not a directory)' "$sphere" --side 32 --output said
+refuses 'exponents has one twice' "$sphere" --side 32 --exponents 1,1 --output new
+limited() (
+  trap '' XFSZ
+  ulimit -f 2
+  "$sphere" --side 64 --exponents 50 --output new
+)
+refuses 'cannot be written' limited
