@@ -159,21 +159,24 @@ std::string report_text(const options& asked, const std::vector<outcome>& outcom
   }
   report += fmt::format(
       "\n`sphere.png`: a column per exponent ({}); rows: the device, Blinn, {} times their difference.\n"
-      "`sphere_n*.png`: the device's pictures alone. `quadratic.vcd`: the first writes, {} pixels of the row "
-      "through the\n"
-      "highlight at n = {}.\n",
+      "`sphere_n*.png`: the device's pictures alone. `quadratic.vcd`: the first writes, up to {} pixels of "
+      "the row\n"
+      "through the highlight, at n = {}.\n",
       fmt::join(asked.exponents, ", "), kDifferenceGain, kTracedWrites, traced_exponent(asked));
   return report;
 }
 
-/// The samples of the row through the highlight that are next to its middle.
-std::vector<sample> row_through_highlight(const std::vector<sample>& samples) {
+/// kTracedWrites samples of the row through the highlight, on both sides of its middle, over three eighths of the
+/// picture.
+std::vector<sample> row_through_highlight(const std::vector<sample>& samples, int side) {
   const auto brighter = [](const sample& a, const sample& b) { return a.cos_delta < b.cos_delta; };
   const sample middle = *std::max_element(samples.begin(), samples.end(), brighter);
   constexpr int kHalf = static_cast<int>(kTracedWrites / 2);
+  const int step = std::max(1, 3 * side / 8 / static_cast<int>(kTracedWrites));
   std::vector<sample> row;
   std::copy_if(samples.begin(), samples.end(), std::back_inserter(row), [&](const sample& s) {
-    return s.y == middle.y && s.x >= middle.x - kHalf && s.x < middle.x + kHalf;
+    const int steps = (s.x - middle.x) / step;
+    return s.y == middle.y && (s.x - middle.x) % step == 0 && steps >= -kHalf && steps < kHalf;
   });
   return row;
 }
@@ -200,7 +203,7 @@ void run(const options& asked) {
                                                             : golden::coefficient_line::derived;
   const auto device = bench::make_systemc(asked.device);
   device->trace(waves.temporary_path().substr(0, waves.temporary_path().size() - std::strlen(".vcd")));
-  compute_highlights(*device, row_through_highlight(samples), traced_exponent(asked), scale);
+  compute_highlights(*device, row_through_highlight(samples, asked.side), traced_exponent(asked), scale);
   if (!device->stop_trace())
     throw file_error(place("quadratic.vcd"), 0, "cannot be written to its end, expected room for it");
 
