@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The program as its users start it: results, and one clear line for everything that is wrong with an input.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -347,10 +349,10 @@ TEST_CASE("what cannot be brought to its end is refused, and nothing is left of 
 }
 
 TEST_CASE("a full standard output is an error", "[cli]") {
-  const std::string program = quoted(BLYSK_PROGRAM);
-  for (const std::string arguments : {"list", "list --json", "--help"}) {
+  for (const char* arguments : {"list", "list --json", "--help"}) {
     CAPTURE(arguments);
-    const int raw = std::system((program + " " + arguments + " >/dev/full 2>/dev/null").c_str());
+    const int raw =
+        std::system(fmt::format("'{}' {} >/dev/full 2>/dev/null", BLYSK_PROGRAM, arguments).c_str());
     CHECK((WIFEXITED(raw) && WEXITSTATUS(raw) == 2));
   }
 }
