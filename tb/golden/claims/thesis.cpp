@@ -259,7 +259,7 @@ void add_cosine_quadratic(std::vector<claim>& rows) {
   });
   rows.push_back(
       {"T14", "(2.13) (2.14)", "both lobes enclose 1/(n + 1), hence sigma = (n + 1)/3",
-       "largest relative difference over n = 2..1000: " + number(area.value, 2) + " n" +
+       "largest relative difference, divided by n, over n = 2..1000: " + number(area.value, 2) +
            ". At n = 1 the root lies beyond 90 degrees, and the area is " + number(26.0 / 54) +
            " in place of 0.5",
        verdict_of_parts(std::vector<reading>{{"n in 2..1000", area.value < kRounding}, {"n = 1", false}})});

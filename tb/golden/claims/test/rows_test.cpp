@@ -366,7 +366,7 @@ TEST_CASE("points of the curves have closed forms", "[golden][claims]") {
       "points of the curves have closed forms",
       {{"P1", "holds", {"n = 1..1000: 0"}},
        {"P2", "holds", {"at most 0 over"}},
-       {"P3", "holds", {"n = 2..1000: 0 n"}},
+       {"P3", "holds", {"n = 2..1000: 0"}},
        {"P4",
         "holds in part: the slope to its printed digits, not the sign of 0.5",
         {"as printed " + number(0.786 + 0.5) + " (n = 1)", number(exact_a(1000) - 785.5) + " (n = 1000)",
