@@ -45,6 +45,18 @@ void for_each_field(std::string_view text, Visitor&& visitor) {
   visitor(trim({begin, end}));
 }
 
+/// Counted in bytes that no sum overflows, so that the compiler makes vectors of them.
+std::size_t count_lines(std::string_view text) {
+  constexpr std::size_t kLongestSum = 255;
+  std::size_t lines = 0;
+  for (std::size_t begin = 0; begin < text.size(); begin += kLongestSum) {
+    std::uint8_t sum = 0;
+    for (const char c : text.substr(begin, kLongestSum)) sum = static_cast<std::uint8_t>(sum + (c == '\n'));
+    lines += sum;
+  }
+  return lines;
+}
+
 constexpr std::size_t kBufferBytes = std::size_t{1} << 18;
 constexpr std::size_t kLongestLine = std::size_t{1} << 20;
 
@@ -59,7 +71,7 @@ std::string system_reason() {
 }
 
 csv_reader::csv_reader(const std::string& path, std::string_view header)
-    : path_(path == "-" ? "standard input" : path), buffer_(kBufferBytes) {
+    : path_(path == "-" ? "standard input" : path), buffer_(kBufferBytes + kSlack) {
   for_each_field(header, [&](std::string_view name) { names_.emplace_back(name); });
   if (std::error_code ignored; std::filesystem::is_directory(path, ignored)) {
     throw file_error(path_, 0, "is a directory, expected a CSV file");
@@ -79,12 +91,17 @@ bool csv_reader::next() {
   do {
     if (!read_line()) return false;
   } while (trim(text_).empty());
-  split();
+  fields_.clear();
+  return true;
+}
+
+const std::vector<std::string_view>& csv_reader::fields() {
+  if (fields_.empty()) split();
   if (fields_.size() != names_.size()) {
     throw error(fmt::format("row has {} fields, expected {}: {}", fields_.size(), names_.size(),
                             fmt::join(names_, ",")));
   }
-  return true;
+  return fields_;
 }
 
 // Sets text_ to the next line; lines that lie whole in the buffer are not copied.
@@ -101,7 +118,7 @@ bool csv_reader::read_line() {
         text_ = {start, size};
       } else {
         line_.append(start, size);
-        text_ = line_;
+        set_text_to_line();
       }
       break;
     }
@@ -112,13 +129,13 @@ bool csv_reader::read_line() {
     }
     errno = 0;
     begin_ = 0;
-    end_ = std::fread(buffer_.data(), 1, buffer_.size(), file_.get());
+    end_ = std::fread(buffer_.data(), 1, kBufferBytes, file_.get());
     if (end_ == 0) {
       if (std::ferror(file_.get()) != 0) {
         throw file_error(path_, line_number_ + 1, fmt::format("cannot be read ({})", system_reason()));
       }
       if (line_.empty()) return false;
-      text_ = line_;
+      set_text_to_line();
       break;
     }
   }
@@ -129,8 +146,13 @@ bool csv_reader::read_line() {
   return true;
 }
 
+void csv_reader::set_text_to_line() {
+  const std::size_t size = line_.size();
+  line_.append(kSlack, '\0');
+  text_ = std::string_view(line_).substr(0, size);
+}
+
 void csv_reader::split() {
-  fields_.clear();
   for_each_field(text_, [&](std::string_view field) { fields_.push_back(field); });
 }
 
@@ -178,7 +200,7 @@ void output_file::write(std::string_view text) {
   if (std::fwrite(text.data(), 1, text.size(), file_.get()) != text.size()) {
     throw file_error(path_, line_, fmt::format("cannot be written ({})", system_reason()));
   }
-  line_ += static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+  line_ += count_lines(text);
 }
 
 void output_file::close() {

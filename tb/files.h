@@ -42,16 +42,18 @@ class csv_reader {
   csv_reader(const std::string& path, std::string_view header);
 
   /// Reads the next row; false at the end of the file.
-  /// \throws usage_error if the row has more or fewer fields than the header
   bool next();
 
-  /// The fields of the row, valid until the next call of next().
-  const std::vector<std::string_view>& fields() const { return fields_; }
-
-  /// The row's text without the line's end.
+  /// The row's text without the line's end, valid until the next call of next(). The kSlack bytes behind it can be
+  /// read, whatever they are.
   std::string_view text() const { return text_; }
+  static constexpr std::size_t kSlack = 8;
 
-  /// The error of that row's column, "NAME is 'FIELD', expected ...".
+  /// The fields of the row, valid until the next call of next().
+  /// \throws usage_error if the row has more or fewer fields than the header
+  const std::vector<std::string_view>& fields();
+
+  /// The error of that column of the row, after fields(): "NAME is 'FIELD', expected ...".
   usage_error error(std::size_t column, std::string_view expected) const;
 
   /// The error of the row as a whole.
@@ -59,6 +61,7 @@ class csv_reader {
 
  private:
   bool read_line();
+  void set_text_to_line();
   void split();
 
   std::string path_;
@@ -66,9 +69,9 @@ class csv_reader {
   file_handle file_;
   std::vector<char> buffer_;
   std::size_t begin_ = 0, end_ = 0;
-  std::string line_;
+  std::string line_;  // a line that does not lie whole in the buffer
   std::string_view text_;
-  std::vector<std::string_view> fields_;
+  std::vector<std::string_view> fields_;  // empty until they are asked for
   std::size_t line_number_ = 0;
 };
 

@@ -16,7 +16,7 @@ struct options {
   std::string name, points, results;
 };
 
-double parse_real(const csv_reader& rows, std::size_t column) {
+double parse_real(csv_reader& rows, std::size_t column) {
   const std::string_view field = rows.fields()[column];
   double value = 0;
   const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);

@@ -2,16 +2,17 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <functional>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <stdexcept>
+#include <vector>
 
 #include "tb/bench/systemc_engine.h"
 #include "tb/bit/quadratic.h"
 #include "tb/cli/device_arguments.h"
 #include "tb/cli/engines.h"
-#include "tb/cli/rows.h"
+#include "tb/cli/stream.h"
 #include "tb/cli/verbs.h"
 #include "tb/cosim/verilator_engine.h"
 #include "tb/files.h"
@@ -33,55 +34,38 @@ golden::coefficient_line line_of(const std::string& coefficient) {
   return golden::coefficient_line::exact;
 }
 
-/// Computes blocks of writes with the engine asked for and appends their rows to the text of the results.
-class simulation {
- public:
-  explicit simulation(const options& asked) : asked_(asked), fraction_(fraction_bits(asked.device)) {
-    if (asked.engine == "bit") {
-      engine_ = bit::make_quadratic(asked.device);
-    } else if (asked.engine == "systemc") {
-      auto made = bench::make_systemc(asked.device);
-      systemc_ = made.get();
-      clocked_ = systemc_;
-      engine_ = std::move(made);
-    } else if (asked.engine == "verilator") {
-      auto made = cosim::make_verilator(asked.device);
-      clocked_ = made.get();
-      engine_ = std::move(made);
-    } else if (!asked.device.constant.empty()) {
-      throw usage_error("--constant is wired in hardware, expected engine bit or systemc");
-    }
-  }
+double golden_brdf(const options& asked, double n, double c) {
+  const double brdf = golden::quadratic(line_of(asked.device.coefficient), n, c);
+  return asked.device.as_published ? brdf : std::fmin(std::fmax(brdf, 0.0), 1.0);
+}
 
-  int fraction() const { return fraction_; }
-  bench::systemc_engine* systemc() const { return systemc_; }
-  const clocked_engine* clocked() const { return clocked_; }
-
-  void run(const batch& block, fmt::memory_buffer& text) {
-    if (engine_ != nullptr) {
-      engine_->run(block, raw_);
-      for (std::size_t i = 0; i < block.size(); ++i) append_row(text, block, raw_, i, fraction_);
-    } else {
-      for (std::size_t i = 0; i < block.size(); ++i) {
-        append_row(text, block, golden_brdf(block.n[i], std::ldexp(block.cos_delta[i], -fraction_)), i,
-                   fraction_);
-      }
-    }
-  }
-
- private:
-  double golden_brdf(double n, double c) const {
-    const double brdf = golden::quadratic(line_of(asked_.device.coefficient), n, c);
-    return asked_.device.as_published ? brdf : std::fmin(std::fmax(brdf, 0.0), 1.0);
-  }
-
-  const options& asked_;
-  int fraction_;
-  std::unique_ptr<engine> engine_;            // null: golden
-  bench::systemc_engine* systemc_ = nullptr;  // engine_ if it is SystemC
-  const clocked_engine* clocked_ = nullptr;   // engine_ if it has a clock
-  results raw_;
+/// The engine asked for.
+struct simulation {
+  std::function<void(row_block&)> compute;
+  bench::systemc_engine* systemc = nullptr;  // if it is SystemC
+  const clocked_engine* clocked = nullptr;   // if it has a clock
 };
+
+simulation simulation_on(std::shared_ptr<engine> integers) {
+  return {[integers](row_block& block) { integers->run(block.writes, block.compute_as<results>()); },
+          dynamic_cast<bench::systemc_engine*>(integers.get()),
+          dynamic_cast<const clocked_engine*>(integers.get())};
+}
+
+simulation make_simulation(const options& asked) {
+  if (asked.engine == "bit") return simulation_on(bit::make_quadratic(asked.device));
+  if (asked.engine == "systemc") return simulation_on(bench::make_systemc(asked.device));
+  if (asked.engine == "verilator") return simulation_on(cosim::make_verilator(asked.device));
+  if (!asked.device.constant.empty())
+    throw usage_error("--constant is wired in hardware, expected engine bit or systemc");
+  return {[&asked, fraction = fraction_bits(asked.device)](row_block& block) {
+    const batch& writes = block.writes;
+    auto& brdf = block.compute_as<std::vector<double>>();
+    brdf.resize(writes.size());
+    for (std::size_t i = 0; i < writes.size(); ++i)
+      brdf[i] = golden_brdf(asked, writes.n[i], std::ldexp(writes.cos_delta[i], -fraction));
+  }};
+}
 
 void check(const options& asked) {
   expect_different_files({"--stimulus", "--results", "--vcd"}, {asked.stimulus, asked.results, asked.vcd});
@@ -104,11 +88,11 @@ void report(const options& asked, std::uint64_t rows, const simulation& simulate
                               {"rows", rows}};
   std::string text = fmt::format("{} rows through {} {}, engine {}", rows, asked.device.device,
                                  asked.device.format, asked.engine);
-  if (simulated.clocked() != nullptr) {
-    const auto cycles = simulated.clocked()->cycles();
+  if (simulated.clocked != nullptr) {
+    const auto cycles = simulated.clocked->cycles();
     const double simulated_ns = static_cast<double>(cycles) * bench::kClockPeriodNs;
     json["cycles"] = cycles;
-    json["writes"] = simulated.clocked()->writes();
+    json["writes"] = simulated.clocked->writes();
     json["simulated_ns"] = simulated_ns;
     text += fmt::format(": {} clock cycles, {} ns simulated", cycles, simulated_ns);
   }
@@ -120,30 +104,18 @@ void run(const options& asked) {
   csv_reader rows(asked.stimulus, kStimulusHeader);
   output_file results(asked.results);
   std::optional<output_file> waves;
-  simulation simulated(asked);
+  const simulation simulated = make_simulation(asked);
   if (!asked.vcd.empty()) {
     constexpr std::string_view ending = ".vcd";  // SystemC appends it
     waves.emplace(asked.vcd, ".part.vcd");
     const std::string& path = waves->temporary_path();
     if (path.empty()) throw file_error(asked.vcd, 0, "is no regular file, expected one to write");
-    simulated.systemc()->trace(path.substr(0, path.size() - ending.size()));
+    simulated.systemc->trace(path.substr(0, path.size() - ending.size()));
   }
-  batch block;
-  fmt::memory_buffer text;
-  fmt::format_to(std::back_inserter(text), "{}\n", kResultsHeader);
-  std::uint64_t count = 0;
-  for (;;) {
-    read_block(rows, simulated.fraction(), block);
-    if (block.size() == 0) break;
-    simulated.run(block, text);
-    count += block.size();
-    results.write({text.data(), text.size()});
-    text.clear();
-  }
-  results.write({text.data(), text.size()});
+  const std::uint64_t count = stream(rows, fraction_bits(asked.device), simulated.compute, results);
   results.close();
   if (waves) {
-    if (!simulated.systemc()->stop_trace()) {
+    if (!simulated.systemc->stop_trace()) {
       throw file_error(asked.vcd, 0, "cannot be written to its end, expected room for the waves");
     }
     waves->commit();

@@ -25,8 +25,9 @@ TEST_CASE("simulate gives the same rows through bit and systemc", "[cli]") {
   for (const std::string more : {"--format q12", "--format q8 --as-published --coefficient published",
                                  "--format q24 --coefficient published --constant 110011"}) {
     CAPTURE(more);
-    REQUIRE(blysk(folder, simulate(in, folder.path("bit.csv"), more + " --engine bit")).status == 0);
-    REQUIRE(blysk(folder, simulate(in, folder.path("systemc.csv"), more + " --engine systemc")).status == 0);
+    REQUIRE(run_blysk(folder, simulate(in, folder.path("bit.csv"), more + " --engine bit")).status == 0);
+    REQUIRE(run_blysk(folder, simulate(in, folder.path("systemc.csv"), more + " --engine systemc")).status ==
+            0);
     const std::string rows = slurp(folder.path("bit.csv"));
     CHECK(rows == slurp(folder.path("systemc.csv")));
     CHECK(rows.starts_with("n,cos,r,g,b,brdf,red,green,blue\n1,0,255,0,1,0,0,0,0\n"));
@@ -40,8 +41,9 @@ TEST_CASE("simulate gives the same rows through the exported Verilog", "[cli]") 
   for (const std::string format : {"q8", "q16", "q24"}) {
     CAPTURE(format);
     const std::string more = " --format " + format;
-    REQUIRE(blysk(folder, simulate(in, folder.path("bit.csv"), "--engine bit" + more)).status == 0);
-    REQUIRE(blysk(folder, simulate(in, folder.path("verilog.csv"), "--engine verilator" + more)).status == 0);
+    REQUIRE(run_blysk(folder, simulate(in, folder.path("bit.csv"), "--engine bit" + more)).status == 0);
+    REQUIRE(run_blysk(folder, simulate(in, folder.path("verilog.csv"), "--engine verilator" + more)).status ==
+            0);
     CHECK(slurp(folder.path("bit.csv")) == slurp(folder.path("verilog.csv")));
   }
 }
@@ -49,19 +51,19 @@ TEST_CASE("simulate gives the same rows through the exported Verilog", "[cli]") 
 TEST_CASE("export writes the device's Verilog", "[cli]") {
   const scratch folder;
   const std::string rtl = folder.path("rtl");
-  REQUIRE(blysk(folder, "export --device quadratic --format q12 --output " + quoted(rtl)).status == 0);
+  REQUIRE(run_blysk(folder, "export --device quadratic --format q12 --output " + quoted(rtl)).status == 0);
   CHECK(slurp(rtl + "/blysk_quadratic_q12.v").find("module blysk_quadratic_q12 (") != std::string::npos);
   CHECK(fs::exists(rtl + "/blysk_quadratic_q12.f"));
   fs::create_directory(folder.path("empty"));
-  CHECK(blysk(folder, "export --output " + quoted(folder.path("empty/"))).status == 0);
-  CHECK(blysk(folder, "export --output " + quoted(folder.path("two/levels/"))).status == 0);
+  CHECK(run_blysk(folder, "export --output " + quoted(folder.path("empty/"))).status == 0);
+  CHECK(run_blysk(folder, "export --output " + quoted(folder.path("two/levels/"))).status == 0);
 }
 
 TEST_CASE("an export that cannot be written leaves everything as it was", "[cli]") {
   const scratch folder;
   const auto fails = [&](const std::string& arguments, const std::string& message,
                          const std::string& first = "") {
-    const outcome failed = blysk(folder, "export " + arguments, first);
+    const outcome failed = run_blysk(folder, "export " + arguments, first);
     CAPTURE(arguments, failed.err);
     CHECK(failed.status == 2);
     CHECK(failed.err.starts_with("blysk: "));
@@ -78,11 +80,11 @@ TEST_CASE("an export that cannot be written leaves everything as it was", "[cli]
   CHECK(folder.names() == std::vector<std::string>{"file"});
 
   // A former export of the same names is rewritten, and others stop it.
-  REQUIRE(blysk(folder, "export --format q8" + to("rtl")).status == 0);
+  REQUIRE(run_blysk(folder, "export --format q8" + to("rtl")).status == 0);
   const std::string top = folder.path("rtl/blysk_quadratic_q8.v");
   const std::string before = slurp(top);
   folder.write("rtl/blysk_quadratic_q8.v", "old");
-  CHECK(blysk(folder, "export --format q8" + to("rtl")).status == 0);
+  CHECK(run_blysk(folder, "export --format q8" + to("rtl")).status == 0);
   CHECK(slurp(top) == before);
   fails("--format q8 --as-published" + to("rtl"), ", expected an empty directory or one with files of the");
   fails("--format q10" + to("rtl"), ", expected an empty directory or one with files of the");
@@ -115,8 +117,8 @@ TEST_CASE("an export that cannot be written leaves everything as it was", "[cli]
 TEST_CASE("simulate, golden, is the formula at the quantised cosine", "[cli]") {
   const scratch folder;
   const std::string in = folder.write("in.csv", "n,cos,r,g,b\n10,0.9,200,100,50\n");
-  REQUIRE(blysk(folder,
-                simulate(in, folder.path("out.csv"), "--engine golden --format q8 --coefficient published"))
+  REQUIRE(run_blysk(folder, simulate(in, folder.path("out.csv"),
+                                     "--engine golden --format q8 --coefficient published"))
               .status == 0);
   // 0.9 * 256 = 230.4, so c = 230/256; a = 8.36. Four roundings of values below 8.36, 2^-53 relative each.
   double brdf = 0;
@@ -132,17 +134,17 @@ TEST_CASE("simulate tolerates CRLF, a byte order mark, blanks and empty lines", 
   const std::string odd = folder.write("odd.csv",
                                        "\xEF\xBB\xBFn, cos,r,g,b\r\n1,0,255,0,1\r\n\r\n 10 "
                                        ",\t0.99,200,100,50\r\n1000,1,255,255,255\r\n50,0.5,3,2,1");
-  REQUIRE(blysk(folder, simulate(plain, folder.path("a.csv"))).status == 0);
-  REQUIRE(blysk(folder, simulate(odd, folder.path("b.csv"))).status == 0);
+  REQUIRE(run_blysk(folder, simulate(plain, folder.path("a.csv"))).status == 0);
+  REQUIRE(run_blysk(folder, simulate(odd, folder.path("b.csv"))).status == 0);
   CHECK(slurp(folder.path("a.csv")) == slurp(folder.path("b.csv")));
 }
 
 TEST_CASE("simulate reads a pipe and writes one", "[cli]") {
   const scratch folder;
   const std::string in = folder.write("in.csv", kGood);
-  const outcome piped = blysk(folder, "simulate --stimulus - --results - <" + quoted(in));
+  const outcome piped = run_blysk(folder, "simulate --stimulus - --results - <" + quoted(in));
   REQUIRE(piped.status == 0);
-  REQUIRE(blysk(folder, simulate(in, folder.path("out.csv"))).status == 0);
+  REQUIRE(run_blysk(folder, simulate(in, folder.path("out.csv"))).status == 0);
   CHECK(piped.out == slurp(folder.path("out.csv")));
 }
 
@@ -155,8 +157,8 @@ TEST_CASE("simulate streams many rows through blocks without losing one", "[cli]
             std::to_string(i % 256) + ",2,3\n";
   }
   const std::string in = folder.write("in.csv", text);
-  REQUIRE(blysk(folder, simulate(in, folder.path("bit.csv"))).status == 0);
-  REQUIRE(blysk(folder, simulate(in, folder.path("systemc.csv"), "--engine systemc")).status == 0);
+  REQUIRE(run_blysk(folder, simulate(in, folder.path("bit.csv"))).status == 0);
+  REQUIRE(run_blysk(folder, simulate(in, folder.path("systemc.csv"), "--engine systemc")).status == 0);
   const std::string rows = slurp(folder.path("bit.csv"));
   CHECK(rows == slurp(folder.path("systemc.csv")));
   CHECK(std::count(rows.begin(), rows.end(), '\n') == kRows + 1);
@@ -166,8 +168,8 @@ TEST_CASE("simulate records waves under the names of fig. 1", "[cli]") {
   const scratch folder;
   const std::string in = folder.write("in.csv", kGood);
   const outcome done =
-      blysk(folder, simulate(in, folder.path("out.csv"),
-                             "--engine systemc --vcd " + quoted(folder.path("w.vcd")) + " --json"));
+      run_blysk(folder, simulate(in, folder.path("out.csv"),
+                                 "--engine systemc --vcd " + quoted(folder.path("w.vcd")) + " --json"));
   REQUIRE(done.status == 0);
   const auto summary = nlohmann::json::parse(done.out);
   CHECK(summary["rows"] == 4);
@@ -216,7 +218,7 @@ TEST_CASE("simulate says what is wrong with a stimulus, where, and leaves no out
       const scratch folder;
       const std::string in = folder.write("in.csv", wrong.text);
       const outcome failed =
-          blysk(folder, simulate(in, folder.path("out.csv"), std::string("--engine ") + engine));
+          run_blysk(folder, simulate(in, folder.path("out.csv"), std::string("--engine ") + engine));
       CAPTURE(wrong.name, engine, failed.err);
       CHECK(failed.status == 2);
       CHECK(failed.err.starts_with("blysk: " + in + ":" + std::to_string(wrong.line) + ": " + wrong.message));
@@ -230,10 +232,10 @@ TEST_CASE("simulate says what is wrong with a stimulus, where, and leaves no out
 TEST_CASE("simulate keeps an earlier result when a later run fails", "[cli]") {
   const scratch folder;
   const std::string in = folder.write("in.csv", kGood);
-  REQUIRE(blysk(folder, simulate(in, folder.path("out.csv"))).status == 0);
+  REQUIRE(run_blysk(folder, simulate(in, folder.path("out.csv"))).status == 0);
   const std::string before = slurp(folder.path("out.csv"));
   folder.write("in.csv", kGood + "0,0,0,0,0\n");
-  CHECK(blysk(folder, simulate(in, folder.path("out.csv"))).status == 2);
+  CHECK(run_blysk(folder, simulate(in, folder.path("out.csv"))).status == 2);
   CHECK(slurp(folder.path("out.csv")) == before);
 }
 
@@ -241,7 +243,7 @@ TEST_CASE("files that cannot be read or written get one line", "[cli]") {
   const scratch folder;
   const std::string in = folder.write("in.csv", kGood);
   const auto fails = [&](const std::string& arguments, const std::string& message) {
-    const outcome failed = blysk(folder, arguments);
+    const outcome failed = run_blysk(folder, arguments);
     CAPTURE(arguments, failed.err);
     CHECK(failed.status == 2);
     CHECK(failed.err.starts_with("blysk: "));
@@ -274,7 +276,7 @@ TEST_CASE("wrong use gets one line and status 2", "[cli]") {
         simulate(in, out, "--vcd w.vcd"), simulate(in, out, "--constant 0110"),
         simulate(in, out, "--engine golden --constant 110011"),
         std::string("model nobody --points ") + quoted(in) + " --results -"}) {
-    const outcome failed = blysk(folder, arguments);
+    const outcome failed = run_blysk(folder, arguments);
     CAPTURE(arguments, failed.err);
     CHECK(failed.status == 2);
     CHECK(failed.err.starts_with("blysk: "));
@@ -286,12 +288,12 @@ TEST_CASE("wrong use gets one line and status 2", "[cli]") {
 TEST_CASE("model gives 17 digits and keeps the points' text", "[cli]") {
   const scratch folder;
   const std::string in = folder.write("in.csv", "n,cos\n2,.75\n1000,1e0\n1,0.1\n");
-  const outcome done = blysk(folder, "model blinn --points " + quoted(in) + " --results -");
+  const outcome done = run_blysk(folder, "model blinn --points " + quoted(in) + " --results -");
   REQUIRE(done.status == 0);
   CHECK(done.out == "n,cos,value\n2,.75,0.5625\n1000,1e0,1\n1,0.1,0.10000000000000001\n");
   folder.write("in.csv", "n,cos\n2,0.5\n2,1.5\n");
-  const outcome failed =
-      blysk(folder, "model blinn --points " + quoted(in) + " --results " + quoted(folder.path("out.csv")));
+  const outcome failed = run_blysk(
+      folder, "model blinn --points " + quoted(in) + " --results " + quoted(folder.path("out.csv")));
   CHECK(failed.status == 2);
   CHECK(failed.err.starts_with("blysk: " + in + ":3: "));
   CHECK(folder.names() == std::vector<std::string>{"in.csv"});
@@ -299,8 +301,8 @@ TEST_CASE("model gives 17 digits and keeps the points' text", "[cli]") {
 
 TEST_CASE("list names what there is, for people and for programs", "[cli]") {
   const scratch folder;
-  const auto json = nlohmann::json::parse(blysk(folder, "list --json").out);
-  const std::string text = blysk(folder, "list").out;
+  const auto json = nlohmann::json::parse(run_blysk(folder, "list --json").out);
+  const std::string text = run_blysk(folder, "list").out;
   CHECK(json["models"].size() >= 16);
   for (const auto& model : json["models"])
     CHECK(text.find(model["name"].get<std::string>()) != std::string::npos);
@@ -312,7 +314,7 @@ TEST_CASE("list names what there is, for people and for programs", "[cli]") {
 TEST_CASE("every verb has its help", "[cli]") {
   const scratch folder;
   for (const std::string verb : {"", "simulate", "model", "export", "list"}) {
-    const outcome help = blysk(folder, verb + " --help");
+    const outcome help = run_blysk(folder, verb + " --help");
     CAPTURE(verb);
     CHECK(help.status == 0);
     CHECK(help.out.find("Usage: blysk") != std::string::npos);
@@ -325,7 +327,7 @@ TEST_CASE("what cannot be brought to its end is refused, and nothing is left of 
   const std::string stimulus = folder.write("in.csv", slurp(BLYSK_ROOT "/docs/examples/fig3.csv"));
   const auto fails = [&](const std::string& arguments, const std::string& message,
                          const std::string& first = "") {
-    const outcome failed = blysk(folder, arguments, first);
+    const outcome failed = run_blysk(folder, arguments, first);
     CAPTURE(arguments, failed.err);
     CHECK(failed.status == 2);
     CHECK(failed.err.starts_with("blysk: "));
@@ -363,8 +365,8 @@ TEST_CASE("a link is written through, and permissions stay", "[cli]") {
   const std::string real = folder.write("real.csv", "old");
   fs::permissions(real, fs::perms::owner_read | fs::perms::owner_write);
   fs::create_symlink("real.csv", folder.path("link.csv"));
-  REQUIRE(blysk(folder,
-                "simulate --stimulus " + quoted(stimulus) + " --results " + quoted(folder.path("link.csv")))
+  REQUIRE(run_blysk(folder, "simulate --stimulus " + quoted(stimulus) + " --results " +
+                                quoted(folder.path("link.csv")))
               .status == 0);
   CHECK(fs::is_symlink(folder.path("link.csv")));
   CHECK(slurp(real).starts_with("n,cos,r,g,b,brdf"));
@@ -377,7 +379,7 @@ TEST_CASE("messages do not pass on control bytes or half characters", "[cli]") {
       "\x1b[31m" + std::string(17, 'x') +
       "\xd1\x89\xd1\x89\xd1\x89\xd1\x89\xd1\x89\xd1\x89\xd1\x89\xd1\x89\xd1\x89\xd1\x89";
   const std::string stimulus = folder.write("in.csv", "n,cos,r,g,b\n" + field + ",0.5,1,2,3\n");
-  const outcome failed = blysk(folder, "simulate --stimulus " + quoted(stimulus) + " --results -");
+  const outcome failed = run_blysk(folder, "simulate --stimulus " + quoted(stimulus) + " --results -");
   CHECK(failed.status == 2);
   CHECK(failed.err.find("in.csv:2: n is '\\x1B[31m" + std::string(17, 'x')) != std::string::npos);
   CHECK(failed.err.find("\xd1...") == std::string::npos);

@@ -62,7 +62,7 @@ inline std::string quoted(const std::string& text) {
 }
 
 /// \param first  shell commands, each with its semicolon
-inline outcome blysk(const scratch& folder, const std::string& arguments, const std::string& first = "") {
+inline outcome run_blysk(const scratch& folder, const std::string& arguments, const std::string& first = "") {
   const std::string out = folder.path("stdout.txt");
   const std::string err = folder.path("stderr.txt");
   const int raw = std::system(

@@ -63,9 +63,9 @@ struct waves {
 TEST_CASE("every wire of the waves carries what its name says", "[cli][waves]") {
   const scratch folder;
   const std::string vcd = folder.path("w.vcd");
-  REQUIRE(blysk(folder, "simulate --format q8 --engine systemc --stimulus " +
-                            quoted(BLYSK_ROOT "/docs/examples/fig3.csv") + " --results " +
-                            quoted(folder.path("r.csv")) + " --vcd " + quoted(vcd))
+  REQUIRE(run_blysk(folder, "simulate --format q8 --engine systemc --stimulus " +
+                                quoted(BLYSK_ROOT "/docs/examples/fig3.csv") + " --results " +
+                                quoted(folder.path("r.csv")) + " --vcd " + quoted(vcd))
               .status == 0);
   const waves seen(slurp(vcd));
   const std::map<std::string, std::string> level_strobes{
@@ -128,9 +128,10 @@ TEST_CASE("the layout of GTKWave fits the waves of every format", "[cli][waves]"
   const scratch folder;
   const std::string vcd = folder.path("w.vcd");
   const std::string fitted = folder.path("fitted.gtkw");
-  REQUIRE(blysk(folder, "simulate --format q" + std::to_string(fraction) + lobe +
-                            " --engine systemc --stimulus " + quoted(BLYSK_ROOT "/docs/examples/fig3.csv") +
-                            " --results " + quoted(folder.path("r.csv")) + " --vcd " + quoted(vcd))
+  REQUIRE(run_blysk(folder, "simulate --format q" + std::to_string(fraction) + lobe +
+                                " --engine systemc --stimulus " +
+                                quoted(BLYSK_ROOT "/docs/examples/fig3.csv") + " --results " +
+                                quoted(folder.path("r.csv")) + " --vcd " + quoted(vcd))
               .status == 0);
   const std::string script =
       folder.write("fit.sh", ". " + quoted(BLYSK_ROOT "/scripts/lib.sh") + "; fit_layout " + quoted(vcd) +

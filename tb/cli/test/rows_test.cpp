@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: Apache-2.0
+// The rows of `simulate`: what the quick ways read and write is what the library of C++ reads.
+#include "tb/cli/rows.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <functional>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "tb/catch.h"
+#include "tb/cli/stream.h"
+#include "tb/cli/test/program.h"
+
+namespace {
+
+using namespace blysk;
+using namespace blysk::cli;
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  for (std::size_t begin = 0, end; (end = text.find('\n', begin)) != std::string::npos; begin = end + 1)
+    lines.push_back(text.substr(begin, end - begin));
+  return lines;
+}
+
+TEST_CASE("rows are read as the C library reads their numbers", "[cli]") {
+  const scratch folder;
+  std::mt19937 random(1);
+  // 0 to 20 digits: those that are read at once, and those that are not.
+  const auto cosine = [&]() -> std::string {
+    const double value = static_cast<double>(random()) * 0x1p-32;
+    switch (random() % 8) {
+      case 0:
+        return fmt::format("{}", random() % 2);
+      case 1:
+        return fmt::format("{:e}", value);
+      case 2:
+        return fmt::format("1.{}", std::string(random() % 9, '0'));
+      default:
+        return fmt::format("{:.{}f}", value, random() % 21);
+    }
+  };
+  struct row {
+    std::uint64_t n, red, green, blue;
+    std::string cosine;
+  };
+  std::vector<row> expected;
+  std::string text = "n,cos,r,g,b\n";
+  for (int i = 0; i < 50'000; ++i) {  // several buffers: rows lie across their ends
+    const row made{1 + random() % 1000, random() % 256, random() % 256, random() % 256, cosine()};
+    expected.push_back(made);
+    const char* const form = i % 5 == 0   ? " {},{} , {},\t{},{}\r\n"
+                             : i % 5 == 1 ? "00{},{},0{},{},{}\n"
+                                          : "{},{},{},{},{}\n";
+    text += fmt::format(fmt::runtime(form), made.n, made.cosine, made.red, made.green, made.blue);
+  }
+  text.pop_back();  // no end of line at the end
+  csv_reader reader(folder.write("in.csv", text), kStimulusHeader);
+  constexpr int fraction = 24;
+  batch block;
+  std::size_t i = 0;
+  for (read_block(reader, fraction, block); block.size() != 0; read_block(reader, fraction, block)) {
+    for (std::size_t k = 0; k < block.size(); ++k, ++i) {
+      const row& made = expected.at(i);
+      const double scaled = std::ldexp(std::strtod(made.cosine.c_str(), nullptr), fraction);
+      CAPTURE(i, made.cosine);
+      REQUIRE(block.n[k] == made.n);
+      REQUIRE(block.cos_delta[k] == static_cast<std::uint32_t>(std::floor(scaled + 0.5)));
+      REQUIRE(block.red_ks[k] == made.red);
+      REQUIRE(block.green_ks[k] == made.green);
+      REQUIRE(block.blue_ks[k] == made.blue);
+    }
+  }
+  CHECK(i == expected.size());
+}
+
+TEST_CASE("rows that look plain and are wrong are refused", "[cli]") {
+  const scratch folder;
+  const auto [row, message] = GENERATE(table<std::string, std::string>({
+      {"0,0.5,1,2,3", "n is '0', expected an integer 1..1000"},
+      {"1001,0.5,1,2,3", "n is '1001', expected an integer 1..1000"},
+      {"99999999,0.5,1,2,3", "n is '99999999', expected an integer 1..1000"},
+      {",0.5,1,2,3", "n is '', expected an integer 1..1000"},
+      {"1:,0.5,1,2,3", "n is '1:', expected an integer 1..1000"},
+      {"1/,0.5,1,2,3", "n is '1/', expected an integer 1..1000"},
+      {"\xB1,0.5,1,2,3", "n is '\xB1', expected an integer 1..1000"},
+      {"1,1.0000001,1,2,3", "cos is '1.0000001', expected a real number in [0, 1]"},
+      {"1,2.0,1,2,3", "cos is '2.0', expected a real number in [0, 1]"},
+      {"1,0.5x,1,2,3", "cos is '0.5x', expected a real number in [0, 1]"},
+      {"1,0.,5,1,2,3", "row has 6 fields, expected 5: n,cos,r,g,b"},
+      {"1,0.5,256,2,3", "r is '256', expected an integer 0..255"},
+      {"1,0.5,1,256,3", "g is '256', expected an integer 0..255"},
+      {"1,0.5,1,2,256", "b is '256', expected an integer 0..255"},
+      {"1,0.5,1,2,3x", "b is '3x', expected an integer 0..255"},
+      {"1,0.5,1,2,3\rx", "b is '3\\x0Dx', expected an integer 0..255"},
+      {"1,0.5,1,2,", "b is '', expected an integer 0..255"},
+      {"1,0.5,1,2", "row has 4 fields, expected 5: n,cos,r,g,b"},
+      {"1,0.5,1,2,3,4", "row has 6 fields, expected 5: n,cos,r,g,b"},
+  }));
+  for (const std::string end : {"", "\n", "\r\n", "\n9,0.9,9,9,9\n"}) {
+    CAPTURE(row, end);
+    csv_reader reader(folder.write("in.csv", "n,cos,r,g,b\n7,0.7,7,7,7\n" + row + end), kStimulusHeader);
+    batch block;
+    CHECK_THROWS_WITH(read_block(reader, 8, block), folder.path("in.csv") + ":3: " + message);
+  }
+}
+
+/// raw 2^-fraction without trailing zeros; at most 17 integer and 24 fraction bits, which a double holds.
+std::string decimal(std::int64_t raw, int fraction) {
+  std::string text = fmt::format("{:.24f}", std::ldexp(static_cast<double>(raw), -fraction));
+  text.erase(text.find_last_not_of('0') + 1);
+  if (text.back() == '.') text.pop_back();
+  return text;
+}
+
+TEST_CASE("results are written with all their digits", "[cli]") {
+  const int fraction = GENERATE(8, 10, 16, 20, 22, 24);
+  std::mt19937_64 random(2);
+  row_block block;
+  auto& raw = block.compute_as<results>();
+  const std::size_t size = 70'000;
+  block.writes.resize(size);
+  raw.resize(size);
+  const std::int64_t one = std::int64_t{1} << fraction;
+  for (std::size_t i = 0; i < size; ++i) {
+    const std::uint64_t bits = random();
+    block.writes.n[i] = static_cast<std::uint16_t>(1 + i % 1000);
+    block.writes.cos_delta[i] =
+        static_cast<std::uint32_t>(static_cast<std::int64_t>(i) % (one + 1));  // q16: all
+    block.writes.red_ks[i] = static_cast<std::uint8_t>(i);
+    block.writes.green_ks[i] = static_cast<std::uint8_t>(bits);
+    block.writes.blue_ks[i] = static_cast<std::uint8_t>(bits >> 8);
+    raw.brdf[i] = static_cast<std::int64_t>(bits % static_cast<std::uint64_t>(2 * one)) - one;
+    raw.red[i] =
+        static_cast<std::int64_t>(bits % static_cast<std::uint64_t>(65536 * one)) * (i % 2 == 0 ? 1 : -1);
+    raw.green[i] = raw.brdf[i] * block.writes.green_ks[i];
+    raw.blue[i] = raw.red[i] >> fraction << fraction;  // whole numbers
+  }
+  fmt::memory_buffer text;
+  append_rows(text, block, fraction);
+  const auto lines = lines_of({text.data(), text.size()});
+  REQUIRE(lines.size() == size);
+  const batch& writes = block.writes;
+  for (std::size_t i = 0; i < size; ++i) {
+    REQUIRE(lines[i] == fmt::format("{},{},{},{},{},{},{},{},{}", writes.n[i],
+                                    decimal(writes.cos_delta[i], fraction), writes.red_ks[i],
+                                    writes.green_ks[i], writes.blue_ks[i], decimal(raw.brdf[i], fraction),
+                                    decimal(raw.red[i], fraction), decimal(raw.green[i], fraction),
+                                    decimal(raw.blue[i], fraction)));
+  }
+}
+
+constexpr int kRows = 3 * static_cast<int>(kRowsPerBlock) + 1;
+std::string stimulus() {
+  std::string text = "n,cos,r,g,b\n";
+  for (int i = 0; i < kRows; ++i) text += fmt::format("{},0.5,{},2,3\n", 1 + i % 1000, i / 1000);
+  return text;
+}
+
+TEST_CASE("rows stream through in their order", "[cli]") {
+  const scratch folder;
+  csv_reader reader(folder.write("in.csv", stimulus()), kStimulusHeader);
+  output_file file(folder.path("out.csv"));
+  const auto rows = stream(
+      reader, 8,
+      [](row_block& block) {
+        block.compute_as<std::vector<double>>().assign(block.writes.n.begin(), block.writes.n.end());
+      },
+      file);
+  file.commit();
+  CHECK(rows == kRows);
+  const auto lines = lines_of(slurp(folder.path("out.csv")));
+  REQUIRE(lines.size() == kRows + 1);
+  CHECK(lines[0] == kResultsHeader);
+  for (int i = 0; i < kRows; ++i) {
+    const int n = 1 + i % 1000;
+    const int red = i / 1000;
+    REQUIRE(lines[static_cast<std::size_t>(i) + 1] ==
+            fmt::format("{},0.5,{},2,3,{},{},{},{}", n, red, n, n * red, n * 2, n * 3));
+  }
+}
+
+TEST_CASE("what goes wrong in either thread ends the stream", "[cli]") {
+  const scratch folder;
+  const auto nothing = [](row_block& block) { block.compute_as<results>().resize(block.writes.size()); };
+  SECTION("in the stimulus") {
+    csv_reader reader(folder.write("in.csv", stimulus() + "bad\n"), kStimulusHeader);
+    output_file file(folder.path("out.csv"));
+    CHECK_THROWS_WITH(
+        stream(reader, 8, nothing, file),
+        folder.path("in.csv") + fmt::format(":{}: row has 1 fields, expected 5: n,cos,r,g,b", kRows + 2));
+  }
+  SECTION("in the engine") {
+    csv_reader reader(folder.write("in.csv", stimulus()), kStimulusHeader);
+    output_file file(folder.path("out.csv"));
+    int blocks = 0;
+    const auto fail_later = [&](row_block& block) {
+      nothing(block);
+      if (++blocks == 3) throw usage_error("no more");
+    };
+    CHECK_THROWS_WITH(stream(reader, 8, fail_later, file), "no more");
+  }
+  SECTION("in the results, long before the stimulus ends") {
+    std::string many = stimulus();
+    for (int i = 0; i < 4; ++i) many += many.substr(many.find('\n') + 1);
+    csv_reader reader(folder.write("in.csv", many), kStimulusHeader);
+    output_file file("/dev/full");
+    CHECK_THROWS_WITH(stream(reader, 8, nothing, file),
+                      "/dev/full:1: cannot be written (No space left on device)");
+    CHECK(reader.next());
+  }
+}
+
+}  // namespace
