@@ -5,7 +5,10 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
+#include <atomic>
 #include <cerrno>
+#include <csignal>
 #include <cstring>
 #include <filesystem>
 
@@ -56,6 +59,48 @@ std::size_t count_lines(std::string_view text) {
   }
   return lines;
 }
+
+/// What a signal that ends the program has to remove: the paths of temporary files.
+class unfinished_files {
+ public:
+  /// \param path  as long as it is here; more than the program ever writes at once are not taken
+  static void add(const char* path) {
+    static const bool handles_signals = handle_signals();
+    static_cast<void>(handles_signals);
+    for (auto& place : paths_) {
+      const char* nothing = nullptr;
+      if (place.compare_exchange_strong(nothing, path)) return;
+    }
+  }
+
+  static void remove(const char* path) {
+    for (auto& place : paths_) {
+      const char* expected = path;
+      if (place.compare_exchange_strong(expected, nullptr)) return;
+    }
+  }
+
+ private:
+  static bool handle_signals() {
+    struct sigaction ending {};
+    ending.sa_handler = [](int signal) {
+      for (const auto& place : paths_) {
+        if (const char* const path = place.load()) unlink(path);
+      }
+      raise(signal);  // as if there were no handler
+    };
+    ending.sa_flags = static_cast<int>(SA_RESETHAND);
+    for (const int signal : {SIGHUP, SIGINT, SIGPIPE, SIGTERM}) {
+      struct sigaction before {};
+      sigaction(signal, nullptr, &before);
+      if (before.sa_handler == SIG_DFL) sigaction(signal, &ending, nullptr);
+    }
+    return true;
+  }
+
+  static inline std::array<std::atomic<const char*>, 64> paths_{};
+  static_assert(std::atomic<const char*>::is_always_lock_free);
+};
 
 constexpr std::size_t kBufferBytes = std::size_t{1} << 18;
 constexpr std::size_t kLongestLine = std::size_t{1} << 20;
@@ -182,17 +227,22 @@ output_file::output_file(const std::string& path, std::string_view ending)
   } else {
     target_ = link ? fs::weakly_canonical(path, ignored).string() : path;
     temporary_ = fmt::format("{}.{}{}", target_, getpid(), ending);
+    unfinished_files::add(temporary_.c_str());
     file_.reset(std::fopen(temporary_.c_str(), "wb"));
     if (file_ && fs::exists(status)) fs::permissions(temporary_, status.permissions(), ignored);
   }
-  if (!file_)
+  if (!file_) {
+    if (!temporary_.empty()) unfinished_files::remove(temporary_.c_str());
     throw file_error(path_, 0,
                      fmt::format("cannot be written ({}), expected a file to write", system_reason()));
+  }
 }
 
 output_file::~output_file() {
   file_.reset();
-  if (!temporary_.empty()) std::remove(temporary_.c_str());
+  if (temporary_.empty()) return;
+  std::remove(temporary_.c_str());
+  unfinished_files::remove(temporary_.c_str());
 }
 
 void output_file::write(std::string_view text) {
@@ -216,6 +266,7 @@ void output_file::commit() {
   if (std::rename(temporary_.c_str(), target_.c_str()) != 0) {
     throw file_error(path_, 0, fmt::format("cannot be written ({})", system_reason()));
   }
+  unfinished_files::remove(temporary_.c_str());
   temporary_.clear();
 }
 

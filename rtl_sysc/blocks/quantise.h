@@ -30,7 +30,7 @@ struct quantise : sc_core::sc_module {
 
   template <class T>
   static constexpr T law(T a) {
-    const T rounded = law::round_off<A::frac - Y::frac>(a);
+    T rounded = law::round_off<A::frac - Y::frac>(a);
     if constexpr (Overflow == overflow::clamp) {
       using law::select;
       return select(rounded < T{Y::min}, T{Y::min}, select(rounded > T{Y::max}, T{Y::max}, rounded));

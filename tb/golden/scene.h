@@ -87,7 +87,7 @@ Real lambert(const illumination<Real>& i, const vec3<Real>& normal, const vec3<R
 template <class Real>
 Real phong(const illumination<Real>& i, const Real& n, const vec3<Real>& normal, const vec3<Real>& light,
            const vec3<Real>& view) {
-  const Real base = lambert(i, normal, light);
+  Real base = lambert(i, normal, light);
   if (!faces_both(normal, light, view)) return base;
   return base + i.point_light * i.ks * blinn(n, clamped_cosine(mirror_direction(normal, light), view));
 }

@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <chrono>
 #include <cmath>
 #include <cstring>
@@ -50,6 +51,17 @@ struct sample {
   double diffuse;    // N.L, 0 behind the surface
   double cos_delta;  // N.H, [0, 1]; 0 where the light is behind the surface
 };
+
+/// The text as one word of a shell.
+std::string as_word(const std::string& text) {
+  const auto is_plain = [](unsigned char c) {
+    return std::isalnum(c) != 0 || std::strchr("/._-", c) != nullptr;
+  };
+  if (std::all_of(text.begin(), text.end(), is_plain)) return text;
+  std::string word = "'";
+  for (const char c : text) word += c == '\'' ? "'\\''" : std::string(1, c);
+  return word + "'";
+}
 
 /// The exponent of the waves: in the middle of those asked for.
 int traced_exponent(const options& asked) {
@@ -246,7 +258,7 @@ void run(const options& asked) {
   for (const char* file : {"sphere.png", "report.md", "quadratic.vcd"}) {
     fmt::print("{}\n", place(file));
   }
-  fmt::print("see the waves with: scripts/wave {}\n", place("quadratic.vcd"));
+  fmt::print("see the waves with: scripts/wave {}\n", as_word(place("quadratic.vcd")));
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <csignal>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -348,6 +349,24 @@ TEST_CASE("what cannot be brought to its end is refused, and nothing is left of 
   fails("shine", "'shine' is no verb, expected simulate, model, export or list");
   fails("render --help", "'render' is no verb");
   CHECK(slurp(stimulus) == slurp(BLYSK_ROOT "/docs/examples/fig3.csv"));
+}
+
+TEST_CASE("a signal that ends the program takes its unfinished files with it", "[cli]") {
+  const scratch folder;
+  const auto [name, number] = GENERATE(
+      table<std::string, int>({{"HUP", SIGHUP}, {"INT", SIGINT}, {"PIPE", SIGPIPE}, {"TERM", SIGTERM}}));
+  // The stimulus does not end; the signal comes when both files are begun.
+  const std::string command = fmt::format(
+      "cd {} && {{ (echo n,cos,r,g,b; yes 10,0.5,1,2,3) |"
+      " env --default-signal={} {} simulate --engine systemc --stimulus - --results out.csv --vcd out.vcd & "
+      "}};"
+      " until [ $(ls | grep -c part) = 2 ]; do sleep 0.01; done; kill -{} $!; wait $!",
+      quoted(folder.path("")), name, quoted(BLYSK_PROGRAM), name);
+  const int raw = std::system(command.c_str());
+  CAPTURE(name);
+  REQUIRE(WIFEXITED(raw));
+  CHECK(WEXITSTATUS(raw) == 128 + number);  // ended by the signal itself
+  CHECK(folder.names().empty());
 }
 
 TEST_CASE("a full standard output is an error", "[cli]") {

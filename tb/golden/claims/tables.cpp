@@ -25,6 +25,7 @@ std::vector<std::string> head_of(std::string_view first) {
 /// The lobes of kApproximations and the angle-based one at Q = 0.5, by name.
 std::vector<std::pair<std::string, const std::vector<error_summary>*>> approximations() {
   std::vector<std::pair<std::string, const std::vector<error_summary>*>> result;
+  result.reserve(std::size(kApproximations) + 5);
   for (const lobe which : kApproximations) result.emplace_back(name_of(which), &errors_of(which));
   for (int k = 1; k <= 5; ++k)
     result.emplace_back("angle, Q = 0.5, k = " + std::to_string(k), &errors_of_angle(k));

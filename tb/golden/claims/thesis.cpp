@@ -140,6 +140,7 @@ const std::vector<std::pair<std::string, lobe>> kCosineQuadratic{
 
 std::vector<candidate> candidates(const std::vector<std::pair<std::string, lobe>>& lobes) {
   std::vector<candidate> result;
+  result.reserve(lobes.size());
   for (const auto& [name, which] : lobes) result.push_back(lobe_candidate(name, which));
   return result;
 }
@@ -432,6 +433,7 @@ void add_pictures(std::vector<claim>& rows) {
   };
   const auto names = [](const std::vector<std::pair<std::string, lobe>>& lobes) {
     std::vector<std::pair<std::string, std::string_view>> result;
+    result.reserve(lobes.size() + 1);
     for (const auto& [name, which] : lobes) result.emplace_back(name, name_of(which));
     return result;
   };

@@ -250,7 +250,7 @@ TEMPLATE_TEST_CASE("the bounds are what the condition numbers make them", "[stab
       const auto grown = [&](const referee& roundoffs) { return roundoffs * (1 + roundoffs * unit); };
       for (const TestType m : {TestType(0.3), TestType(0.6)}) {
         // d ln D / dc = 2 alpha / (m^2 sin alpha);  alpha 6, its square over m^2 15, exp 2.
-        const referee c = nh.value();
+        const referee& c = nh.value();
         const referee alpha = acos(c);
         const referee m2 = referee(m) * m;
         const number gauss = facets(facet_distribution::gaussian, nh, number(m));
