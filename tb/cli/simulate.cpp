@@ -46,7 +46,7 @@ struct simulation {
   const clocked_engine* clocked = nullptr;   // if it has a clock
 };
 
-simulation simulation_on(std::shared_ptr<engine> integers) {
+simulation simulation_on(const std::shared_ptr<engine>& integers) {
   return {[integers](row_block& block) { integers->run(block.writes, block.compute_as<results>()); },
           dynamic_cast<bench::systemc_engine*>(integers.get()),
           dynamic_cast<const clocked_engine*>(integers.get())};
