@@ -24,23 +24,21 @@ inline constexpr std::string_view device_names[] = {
 #include "tb/devices.def"
 #undef BLYSK_DEVICE
 };
-inline constexpr std::string_view format_names[] = {"q8",  "q10", "q12", "q14", "q16",
-                                                    "q18", "q20", "q22", "q24"};
+inline constexpr std::string_view format_names[] = {
+#define BLYSK_NAMED_FORMAT(name) #name,
+#include "tb/formats.def"
+#undef BLYSK_NAMED_FORMAT
+};
 inline constexpr std::string_view coefficient_names[] = {"published", "derived"};
 
 /// Calls visitor.operator()<Q>() with the named format of the options.
 /// \throws std::invalid_argument for a format that does not exist
 template <class Visitor>
 auto visit_format(const device_options& options, Visitor&& visitor) {
-  if (options.format == "q8") return visitor.template operator()<q8>();
-  if (options.format == "q10") return visitor.template operator()<q10>();
-  if (options.format == "q12") return visitor.template operator()<q12>();
-  if (options.format == "q14") return visitor.template operator()<q14>();
-  if (options.format == "q16") return visitor.template operator()<q16>();
-  if (options.format == "q18") return visitor.template operator()<q18>();
-  if (options.format == "q20") return visitor.template operator()<q20>();
-  if (options.format == "q22") return visitor.template operator()<q22>();
-  if (options.format == "q24") return visitor.template operator()<q24>();
+#define BLYSK_NAMED_FORMAT(name) \
+  if (options.format == #name) return visitor.template operator()<name>();
+#include "tb/formats.def"
+#undef BLYSK_NAMED_FORMAT
   throw std::invalid_argument("format " + options.format + " does not exist, expected q8, q10, ... q24");
 }
 

@@ -21,21 +21,11 @@ namespace blysk::bit {
                                               const Q##_##Lobe##_columns& io) {                       \
     Q##_##Lobe(wired, io);                                                                            \
   }
-#define BLYSK_KERNELS(Q)   \
-  BLYSK_KERNEL(Q, clamped) \
-  BLYSK_KERNEL(Q, as_published)
-
-BLYSK_KERNELS(q8)
-BLYSK_KERNELS(q10)
-BLYSK_KERNELS(q12)
-BLYSK_KERNELS(q14)
-BLYSK_KERNELS(q16)
-BLYSK_KERNELS(q18)
-BLYSK_KERNELS(q20)
-BLYSK_KERNELS(q22)
-BLYSK_KERNELS(q24)
-
-#undef BLYSK_KERNELS
+#define BLYSK_NAMED_FORMAT(name) \
+  BLYSK_KERNEL(name, clamped)    \
+  BLYSK_KERNEL(name, as_published)
+#include "tb/formats.def"
+#undef BLYSK_NAMED_FORMAT
 #undef BLYSK_KERNEL
 
 namespace {

@@ -52,7 +52,7 @@ module replay;
   endtask
 
   initial begin
-    if (!$value$plusargs("vectors=%s", path)) $finish;
+    if (!$value$plusargs("vectors=%s", path)) $finish(0);
     file = $fopen(path, "r");
     repeat (2) @(negedge clk);
     rst_n = 1;
@@ -70,6 +70,6 @@ module replay;
     end
     @(negedge clk) strobe17 = 1;
     @(posedge clk) $display("%0d writes replayed, %0d compared, %0d differ", writes, compared, failures);
-    $finish;
+    $finish(0);
   end
 endmodule

@@ -95,7 +95,7 @@ std::string bench_text(const model& device, const std::string& module_name) {
       "      #1 cycles = cycles + 1;\n"
       "    end\n"
       "    $display(\"%0d cycles replayed, %0d differ\", cycles, failures);\n"
-      "    $finish;\n"
+      "    $finish(0);\n"
       "  end\n"
       "endmodule\n",
       declarations, range_text(in), range_text(out), inputs, module_name, connections, outputs);
