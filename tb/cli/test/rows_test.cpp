@@ -103,7 +103,8 @@ TEST_CASE("rows that look plain and are wrong are refused", "[cli]") {
   }));
   for (const std::string end : {"", "\n", "\r\n", "\n9,0.9,9,9,9\n"}) {
     CAPTURE(row, end);
-    csv_reader reader(folder.write("in.csv", "n,cos,r,g,b\n7,0.7,7,7,7\n" + row + end), kStimulusHeader);
+    csv_reader reader(folder.write("in.csv", fmt::format("n,cos,r,g,b\n7,0.7,7,7,7\n{}{}", row, end)),
+                      kStimulusHeader);
     batch block;
     CHECK_THROWS_WITH(read_block(reader, 8, block), folder.path("in.csv") + ":3: " + message);
   }
