@@ -63,7 +63,7 @@ std::size_t count_lines(std::string_view text) {
 /// What a signal that ends the program has to remove: the paths of temporary files.
 class unfinished_files {
  public:
-  /// \param path  as long as it is here; more than the program ever writes at once are not taken
+  /// \param path  stays where it is until it is removed
   static void add(const char* path) {
     static const bool handles_signals = handle_signals();
     static_cast<void>(handles_signals);
@@ -98,7 +98,8 @@ class unfinished_files {
     return true;
   }
 
-  static inline std::array<std::atomic<const char*>, 64> paths_{};
+  // Sphere writes most: a picture for each exponent and three files more.
+  static inline std::array<std::atomic<const char*>, 1024> paths_{};
   static_assert(std::atomic<const char*>::is_always_lock_free);
 };
 

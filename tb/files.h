@@ -76,8 +76,9 @@ class csv_reader {
 };
 
 /// A result file: written beside its place and moved there by commit(), so that it is there as a whole or not at all.
-/// A signal that ends the program takes the unfinished file with it. "-" is standard output; a device such as a terminal is written as it stands, and so is what lies in /dev and /proc.
-/// A file that is replaced keeps its permissions, and a link its place.
+/// A signal that ends the program takes the unfinished file with it. "-" is standard output; a device such as a terminal
+/// is written as it stands, and so is what lies in /dev and /proc. A file that is replaced keeps its permissions, and a
+/// link its place.
 class output_file {
  public:
   /// \param ending  what the temporary name beside `path` ends with

@@ -109,7 +109,8 @@ char* put_integer(char* to, std::uint64_t value) {
   return to + digits;
 }
 
-/// raw 2^-fraction as a decimal number, exact, without trailing zeros; fraction 0..24. Up to three more bytes are written.
+/// raw 2^-fraction as a decimal number, exact, without trailing zeros; fraction 0..24. Up to 24 bytes beyond its end are
+/// written.
 char* put_fixed(char* to, std::int64_t raw, int fraction) {
   if (raw < 0) *to++ = '-';
   const auto magnitude = static_cast<std::uint64_t>(raw < 0 ? -raw : raw);

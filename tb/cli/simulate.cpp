@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <memory>
@@ -34,11 +35,6 @@ golden::coefficient_line line_of(const std::string& coefficient) {
   return golden::coefficient_line::exact;
 }
 
-double golden_brdf(const options& asked, double n, double c) {
-  const double brdf = golden::quadratic(line_of(asked.device.coefficient), n, c);
-  return asked.device.as_published ? brdf : std::fmin(std::fmax(brdf, 0.0), 1.0);
-}
-
 /// The engine asked for.
 struct simulation {
   std::function<void(row_block&)> compute;
@@ -58,12 +54,16 @@ simulation make_simulation(const options& asked) {
   if (asked.engine == "verilator") return simulation_on(cosim::make_verilator(asked.device));
   if (!asked.device.constant.empty())
     throw usage_error("--constant is wired in hardware, expected engine bit or systemc");
-  return {[&asked, fraction = fraction_bits(asked.device)](row_block& block) {
+  return {[line = line_of(asked.device.coefficient), as_published = asked.device.as_published,
+           fraction = fraction_bits(asked.device)](row_block& block) {
     const batch& writes = block.writes;
     auto& brdf = block.compute_as<std::vector<double>>();
     brdf.resize(writes.size());
-    for (std::size_t i = 0; i < writes.size(); ++i)
-      brdf[i] = golden_brdf(asked, writes.n[i], std::ldexp(writes.cos_delta[i], -fraction));
+    for (std::size_t i = 0; i < writes.size(); ++i) {
+      const double raw =
+          golden::quadratic<double>(line, writes.n[i], std::ldexp(writes.cos_delta[i], -fraction));
+      brdf[i] = as_published ? raw : std::clamp(raw, 0.0, 1.0);
+    }
   }};
 }
 

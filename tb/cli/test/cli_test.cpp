@@ -360,7 +360,7 @@ TEST_CASE("a signal that ends the program takes its unfinished files with it", "
       "cd {} && {{ (echo n,cos,r,g,b; yes 10,0.5,1,2,3) |"
       " env --default-signal={} {} simulate --engine systemc --stimulus - --results out.csv --vcd out.vcd & "
       "}};"
-      " until [ $(ls | grep -c part) = 2 ]; do sleep 0.01; done; kill -{} $!; wait $!",
+      " until [ $(ls | grep -c part) = 2 ] || ! kill -0 $!; do sleep 0.01; done; kill -{} $!; wait $!",
       quoted(folder.path("")), name, quoted(BLYSK_PROGRAM), name);
   const int raw = std::system(command.c_str());
   CAPTURE(name);
