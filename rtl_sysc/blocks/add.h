@@ -28,12 +28,12 @@ struct add : sc_core::sc_module {
   template <class T>
   static constexpr T law(T a, T b, T carry) {
     static_assert(S::frac >= A::frac && S::frac >= B::frac, "an adder does not round");
-    return (a << (S::frac - A::frac)) + (b << (S::frac - B::frac)) + carry;
+    return law::add(a, S::frac - A::frac, b, S::frac - B::frac, carry);
   }
 
   template <class Reader>
   void describe(Reader& reader) const {
-    reader.block("add", "Adder: s_o = a_i + b_i + carry_i, the carry being one ulp of s_o.");
+    reader.block_is("add", "Adder: s_o = a_i + b_i + carry_i, the carry being one ulp of s_o.");
     reader.drive(s_o, law(reader.read(a_i, A{}), reader.read(b_i, B{}), reader.read(carry_i)), S{});
   }
 

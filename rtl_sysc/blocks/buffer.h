@@ -20,7 +20,7 @@ struct buffer : sc_core::sc_module {
 
   template <class Reader>
   void describe(Reader& reader) const {
-    reader.block("buffer", "Wire: y_o = a_i.");
+    reader.block_is("buffer", "Wire: y_o = a_i.");
     reader.drive(y_o, reader.read(a_i));
   }
 

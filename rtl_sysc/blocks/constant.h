@@ -14,14 +14,14 @@ template <class Q>
 struct constant : sc_core::sc_module {
   sc_core::sc_out<typename Q::raw_t> SC_NAMED(y_o);
 
-  SC_HAS_PROCESS(constant);
+  using SC_CURRENT_USER_MODULE = constant;  // what SC_METHOD asks for; SystemC 3 deprecates SC_HAS_PROCESS
   constant(const sc_core::sc_module_name& name, std::int64_t raw) : sc_core::sc_module(name), raw_(raw) {
     SC_METHOD(eval);
   }
 
   template <class Reader>
   void describe(Reader& reader) const {
-    reader.block("constant", "Constant: y_o = RAW, the integer on the wires.");
+    reader.block_is("constant", "Constant: y_o = RAW, the integer on the wires.");
     reader.drive(y_o, reader.parameter("RAW", raw_, Q{}), Q{});
   }
 

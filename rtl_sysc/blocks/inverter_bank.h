@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "rtl_sysc/blocks/law.h"
 #include "rtl_sysc/qformat.h"
 
 namespace blysk {
@@ -26,12 +27,12 @@ struct inverter_bank : sc_core::sc_module {
   template <class T>
   static constexpr T law(T a) {
     static_assert(!A::is_signed && Y::is_signed && Y::frac >= A::frac);
-    return ~(a << (Y::frac - A::frac));
+    return law::ones_complement(a, Y::frac - A::frac);
   }
 
   template <class Reader>
   void describe(Reader& reader) const {
-    reader.block("inverter_bank", "Inverter bank: y_o = -a_i - 1 ulp of y_o, the ones' complement.");
+    reader.block_is("inverter_bank", "Inverter bank: y_o = -a_i - 1 ulp of y_o, the ones' complement.");
     reader.drive(y_o, law(reader.read(a_i, A{})), Y{});
   }
 

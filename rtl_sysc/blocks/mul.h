@@ -27,12 +27,14 @@ struct mul : sc_core::sc_module {
 
   template <class T>
   static constexpr T law(T a, T b) {
-    return law::round_off<A::frac + B::frac - P::frac>(a * b);
+    static_assert(law::rounds_within(exact::width, exact::frac - P::frac),
+                  "a product is rounded within 64 bits");
+    return law::mul(a, b, exact::frac - P::frac);
   }
 
   template <class Reader>
   void describe(Reader& reader) const {
-    reader.block("mul", P::frac == exact::frac ? "Multiplier: p_o = a_i * b_i, exact."
+    reader.block_is("mul", P::frac == exact::frac ? "Multiplier: p_o = a_i * b_i, exact."
                                                : "Multiplier: p_o = a_i * b_i, rounded to nearest, ties up.");
     reader.drive(p_o, law(reader.read(a_i, A{}), reader.read(b_i, B{})), P{});
   }

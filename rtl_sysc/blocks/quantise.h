@@ -30,21 +30,20 @@ struct quantise : sc_core::sc_module {
 
   template <class T>
   static constexpr T law(T a) {
-    T rounded = law::round_off<A::frac - Y::frac>(a);
+    static_assert(law::rounds_within(A::width, A::frac - Y::frac), "a number is rounded within 64 bits");
     if constexpr (Overflow == overflow::clamp) {
-      using law::select;
-      return select(rounded < T{Y::min}, T{Y::min}, select(rounded > T{Y::max}, T{Y::max}, rounded));
+      return law::clamp(law::round_off(a, A::frac - Y::frac), T(Y::min), T(Y::max));
     } else {
-      return rounded;
+      return law::round_off(a, A::frac - Y::frac);
     }
   }
 
   template <class Reader>
   void describe(Reader& reader) const {
     if constexpr (Overflow == overflow::clamp) {
-      reader.block("quantise", "Rounds a_i to nearest, ties up, and clamps it to the codes of y_o.", "clamp");
+      reader.block_is("quantise", "Rounds a_i to nearest, ties up, and clamps it to the codes of y_o.", "clamp");
     } else {
-      reader.block("quantise", "Rounds a_i to nearest, ties up.");
+      reader.block_is("quantise", "Rounds a_i to nearest, ties up.");
     }
     reader.drive(y_o, law(reader.read(a_i, A{})), Y{});
   }

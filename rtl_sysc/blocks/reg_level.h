@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "rtl_sysc/blocks/clocked.h"
 #include "rtl_sysc/qformat.h"
 
 namespace blysk {
@@ -18,19 +19,16 @@ struct reg_level : sc_core::sc_module {
   sc_core::sc_in<bool> SC_NAMED(we_i);
   sc_core::sc_out<typename Q::raw_t> SC_NAMED(q_o);
 
-  SC_CTOR(reg_level) {
-    SC_METHOD(load);
-    sensitive << clk.pos();
-    dont_initialize();
-  }
+  SC_CTOR(reg_level) { BLYSK_CLOCKED(load); }
 
   template <class Reader>
   void describe(Reader& reader) const {
-    reader.block("reg_level", "Register: takes d_i while we_i is one.");
+    reader.block_is("reg_level", "Register: takes d_i while we_i is one.");
     reader.reg(clk, rst_n, reader.read(we_i), reader.read(d_i, Q{}), q_o, Q{});
   }
 
  private:
+  BLYSK_CLOCKED_BODY(load)
   void load() {
     if (!rst_n.read()) {
       q_o.write(0);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "rtl_sysc/blocks/clocked.h"
+#include "rtl_sysc/blocks/law.h"
 #include "rtl_sysc/qformat.h"
 
 namespace blysk {
@@ -19,34 +21,25 @@ struct reg_trailing : sc_core::sc_module {
   sc_core::sc_in<bool> SC_NAMED(we_i);
   sc_core::sc_out<typename Q::raw_t> SC_NAMED(q_o);
 
-  SC_CTOR(reg_trailing) {
-    SC_METHOD(load);
-    sensitive << clk.pos();
-    dont_initialize();
-  }
-
-  /// True at the clock edge that ends the strobe: it was at one, it is at zero.
-  template <class T>
-  static constexpr T law(T we, T we_before) {
-    return we_before && !we;
-  }
+  SC_CTOR(reg_trailing) { BLYSK_CLOCKED(load); }
 
   template <class Reader>
   void describe(Reader& reader) const {
-    reader.block("reg_trailing", "Register: takes d_i by the trailing edge of we_i, as clk samples it.");
+    reader.block_is("reg_trailing", "Register: takes d_i by the trailing edge of we_i, as clk samples it.");
     const auto we = reader.read(we_i);
     reader.reg(clk, rst_n, reader.constant(1), we, we_q);
-    reader.reg(clk, rst_n, law(we, reader.read(we_q)), reader.read(d_i, Q{}), q_o, Q{});
+    reader.reg(clk, rst_n, law::trailing_edge(we, reader.read(we_q)), reader.read(d_i, Q{}), q_o, Q{});
   }
 
  private:
+  BLYSK_CLOCKED_BODY(load)
   void load() {
     if (!rst_n.read()) {
       q_o.write(0);
       we_q.write(false);
     } else {
       we_q.write(we_i.read());
-      if (law<bool>(we_i.read(), we_q.read())) {
+      if (law::trailing_edge(we_i.read(), we_q.read())) {
         q_o.write(d_i.read());
       }
     }

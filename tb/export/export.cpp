@@ -2,8 +2,7 @@
 #include "tb/export/export.h"
 
 #include <fmt/format.h>
-
-#include <algorithm>
+#include <fmt/ranges.h>
 
 namespace blysk::verilog {
 
@@ -41,15 +40,17 @@ std::string core_text(const std::string& name, const std::string& what, const fi
       name, what, list);
 }
 
-std::string constraints_text(const std::vector<pin>& pins, const std::vector<std::string>& clocks) {
-  const auto ports = [&](bool is_input) {
-    std::string names;
-    for (const pin& each : pins) {
-      const bool is_clock = std::ranges::find(clocks, each.name) != clocks.end();
-      if (each.is_input == is_input && !is_clock) names += (names.empty() ? "" : " ") + each.name;
+std::string constraints_text(const netlist::elaborated& device) {
+  const auto names = [&](auto&& is_wanted) {
+    std::vector<std::string> found;
+    for (const auto& each : device.ports()) {
+      if (!each->what.is_inner && is_wanted(each->what)) found.push_back(each->what.name);
     }
-    return names;
+    return found;
   };
+  const auto clocks = names([](const port& each) { return each.is == port::role::clock; });
+  const auto inputs = names([](const port& each) { return each.is_input() && each.is != port::role::clock; });
+  const auto outputs = names([](const port& each) { return !each.is_input(); });
   std::string text =
       "# SPDX-License-Identifier: Apache-2.0\n"
       "# clk_period, in ns, is an example: set your clock's. Delays of 0 leave inputs and outputs the whole "
@@ -58,51 +59,31 @@ std::string constraints_text(const std::vector<pin>& pins, const std::vector<std
       "set clk_period 10.0\n";
   for (const std::string& clk : clocks) {
     text += fmt::format("create_clock -name {0} -period $clk_period [get_ports {0}]\n", clk);
-    text += fmt::format("set_input_delay 0 -clock {} [get_ports {{{}}}]\n", clk, ports(true));
-    text += fmt::format("set_output_delay 0 -clock {} [get_ports {{{}}}]\n", clk, ports(false));
+    text += fmt::format("set_input_delay 0 -clock {} [get_ports {{{}}}]\n", clk, fmt::join(inputs, " "));
+    text += fmt::format("set_output_delay 0 -clock {} [get_ports {{{}}}]\n", clk, fmt::join(outputs, " "));
   }
   return text;
 }
 
 }  // namespace
 
-std::unique_ptr<model> make_model(const device_options& options) {
-// NOLINTBEGIN(bugprone-macro-parentheses): a type cannot stand in any
-#define BLYSK_DEVICE(identifier, name)                                                                    \
-  if (options.device == name) {                                                                           \
-    return visit_format(options, [&]<class Q>() { return make_model<devices::identifier, Q>(options); }); \
-  }
-// NOLINTEND(bugprone-macro-parentheses)
-#include "tb/devices.def"
-#undef BLYSK_DEVICE
-  throw std::invalid_argument("device " + options.device + " does not exist");
-}
-
-std::string top_name(const device_options& options) {
-  std::string name = fmt::format("blysk_{}_{}", options.device, options.format);
-  std::ranges::replace(name, '-', '_');
-  return name;
-}
-
-files export_files(const model& device, const std::string& name, const std::string& title) {
+files export_files(const netlist::elaborated& device, const std::string& name, const std::string& title) {
+  sc_core::sc_start(sc_core::SC_ZERO_TIME);  // elaborates: what ports are bound to is known then
   std::map<std::string, std::string> notes;
-  for (const pin& each : device.pins()) notes[each.name] = each.note;
+  for (const auto& each : device.ports()) notes[each->what.name] = each->what.text();
   files result =
-      netlist(device.device(), name, fmt::format("// {}, exported from the SystemC model.\n", title), notes,
-              device.parts());
+      module_files(device, name, fmt::format("// {}, exported from the SystemC model.\n", title), notes);
   std::string list;
   for (const auto& [file, text] : result) list += file + "\n";
   const std::string core = core_text(name, title, result);
   result[name + ".f"] = list;
   result[name + ".core"] = core;
-  result[name + ".sdc"] = constraints_text(device.pins(), clock_ports(device.device(), device.parts()));
+  result[name + ".sdc"] = constraints_text(device);
   return result;
 }
 
-files export_files(const model& device, const device_options& options) {
-  return export_files(device, top_name(options),
-                      fmt::format("device {}, format {}{}{}", options.device, options.format,
-                                  device.options().empty() ? "" : ", ", device.options()));
+files export_files(const selection& asked) {
+  return export_files(*asked.of().elaborate(asked, 0), asked.top_name(), asked.text());
 }
 
 }  // namespace blysk::verilog

@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // exported check|update DIRECTORY DEVICE FORMAT: rtl_verilog/ is what the SystemC model exports, or is made so.
-// exported replay DIRECTORY DEVICE FORMAT [--coefficient C] [--constant BITS] [--as-published]: the export, and below
+// exported replay DIRECTORY DEVICE FORMAT [--OPTION [VALUE]]...: the export of the device with its options, and below
 //   replay/ a run of the SystemC device for a Verilog simulator to repeat.
 // A process elaborates one device. Exit 1 if the directory holds anything else.
 #include <fmt/format.h>
 
 #include <fstream>
 #include <iterator>
+#include <string_view>
 
 #include "tb/export/export.h"
 #include "tb/export/replay.h"
+#include "tb/netlist/elaborated.h"
 
 namespace {
 
@@ -44,21 +46,15 @@ int check(const files& exported, const fs::path& directory) {
   return differences == 0 ? 0 : 1;
 }
 
-device_options parse(int argc, char** argv) {
-  device_options options;
-  options.device = argv[3];
-  options.format = argv[4];
+selection parse(int argc, char** argv) {
+  std::map<std::string, std::string> options;
   for (int i = 5; i < argc; ++i) {
-    const std::string word = argv[i];
-    if (word == "--as-published") {
-      options.as_published = true;
-    } else if (i + 1 < argc && (word == "--coefficient" || word == "--constant")) {
-      (word == "--constant" ? options.constant : options.coefficient) = argv[++i];
-    } else {
-      throw std::invalid_argument(word + " is not an option");
-    }
+    const std::string_view word = argv[i];
+    if (!word.starts_with("--")) throw std::invalid_argument(fmt::format("{} is not an option", word));
+    const bool has_value = i + 1 < argc && argv[i + 1][0] != '-';
+    options[std::string(word.substr(2))] = has_value ? argv[++i] : "on";
   }
-  return options;
+  return choose(argv[3], argv[4], options);
 }
 
 int run(int argc, char** argv) {
@@ -66,9 +62,9 @@ int run(int argc, char** argv) {
     throw std::invalid_argument("usage: exported check|update|replay DIRECTORY DEVICE FORMAT [OPTION...]");
   const std::string action = argv[1];
   const fs::path directory = argv[2];
-  const device_options options = parse(argc, argv);
-  const auto device = make_model(options);
-  const files exported = export_files(*device, options);
+  const selection asked = parse(argc, argv);
+  const auto device = asked.of().elaborate(asked, 0);
+  const files exported = export_files(*device, asked.top_name(), asked.text());
   if (action == "check") return check(exported, directory);
   if (action == "update") fs::remove_all(directory);
   fs::create_directories(directory);
@@ -76,7 +72,7 @@ int run(int argc, char** argv) {
   if (action == "replay") {
     constexpr int kCycles = 2000;
     fs::create_directories(directory / "replay");
-    write_replay(*device, top_name(options), kCycles, directory / "replay");
+    write_replay(*device, asked.top_name(), kCycles, directory / "replay");
   }
   return 0;
 }

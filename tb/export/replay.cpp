@@ -5,12 +5,24 @@
 
 #include <fstream>
 #include <random>
+#include <utility>
+
+#include "tb/export/lexis.h"
 
 namespace blysk::verilog {
 namespace {
 
-bool is_clock(const pin& each) {
-  return each.name == "clk";
+using netlist::bound_port;
+using ports = std::vector<std::unique_ptr<bound_port>>;
+
+/// The ports that a bench connects, the clock apart.
+std::vector<bound_port*> connected(const ports& all, bool is_input) {
+  std::vector<bound_port*> found;
+  for (const auto& each : all) {
+    if (each->what.is != port::role::clock && !each->what.is_inner && each->what.is_input() == is_input)
+      found.push_back(each.get());
+  }
+  return found;
 }
 
 std::string binary(std::int64_t value, int width) {
@@ -19,10 +31,10 @@ std::string binary(std::int64_t value, int width) {
   return digits;
 }
 
-std::int64_t random_code(const pin& each, std::mt19937_64& random) {
-  if (each.name == "rst_n") return random() % 64 != 0 ? 1 : 0;
-  const wire_format whole{each.bits.width, 0, false, 0, (std::int64_t{1} << each.bits.width) - 1};
-  const wire_format format = each.carries.value_or(whole);
+std::int64_t random_code(const bound_port& to, std::mt19937_64& random) {
+  if (to.what.is == port::role::reset) return random() % 64 != 0 ? 1 : 0;
+  const wire_format one_bit{1, 0, false, 0, 1};
+  const wire_format format = to.what.carries.value_or(one_bit);
   const auto which = random() % 8;
   if (which == 0) return format.min;
   if (which == 1) return format.max;
@@ -30,50 +42,54 @@ std::int64_t random_code(const pin& each, std::mt19937_64& random) {
   return format.min + static_cast<std::int64_t>(codes == 0 ? random() : random() % codes);
 }
 
-std::string vectors_text(const model& device, int cycles) {
+std::string vectors_text(const netlist::elaborated& device, int cycles) {
   std::mt19937_64 random(1);
   std::string text;
-  const pin* clk = nullptr;
-  for (const pin& each : device.pins()) {
-    if (is_clock(each)) clk = &each;
+  bound_port* clk = nullptr;
+  for (const auto& each : device.ports()) {
+    if (each->what.is == port::role::clock) clk = each.get();
   }
-  const auto settle = [](const pin* clock, int level) {
-    if (clock != nullptr) clock->write(level);
+  const auto settle = [clk](int level) {
+    if (clk != nullptr) clk->write(level);
     sc_core::sc_start(1, sc_core::SC_NS);
   };
+  const auto inputs = connected(device.ports(), true);
+  const auto outputs = connected(device.ports(), false);
   for (int cycle = 0; cycle < cycles; ++cycle) {
-    for (const pin& each : device.pins()) {
-      if (!each.is_input || is_clock(each)) continue;
-      const std::int64_t code = cycle == 0 && each.name == "rst_n" ? 0 : random_code(each, random);
-      each.write(code);
-      text += binary(code, each.bits.width);
+    for (bound_port* each : inputs) {
+      const std::int64_t code =
+          cycle == 0 && each->what.is == port::role::reset ? 0 : random_code(*each, random);
+      each->write(code);
+      text += binary(code, each->bits.width);
     }
-    settle(clk, 0);
+    settle(0);
     text += ' ';
-    for (const pin& each : device.pins()) {
-      if (!each.is_input) text += binary(each.read(), each.bits.width);
-    }
+    for (const bound_port* each : outputs) text += binary(each->read(), each->bits.width);
     text += '\n';
-    settle(clk, 1);
+    settle(1);
   }
   return text;
 }
 
-std::string bench_text(const model& device, const std::string& module_name) {
-  std::string connections, inputs, outputs;
-  int in = 0, out = 0;
-  for (const pin& each : device.pins()) {
-    connections += fmt::format("{}.{}({})", connections.empty() ? "" : ", ", each.name, each.name);
-    if (is_clock(each)) continue;
-    std::string& names = each.is_input ? inputs : outputs;
-    names += (names.empty() ? "" : ", ") + each.name;
-    (each.is_input ? in : out) += each.bits.width;
+std::string bench_text(const netlist::elaborated& device, const std::string& module_name) {
+  std::string connections, declarations;
+  for (const auto& each : device.ports()) {
+    if (!each->what.is_inner)
+      connections +=
+          fmt::format("{}.{}({})", connections.empty() ? "" : ", ", each->what.name, each->what.name);
   }
-  std::string declarations;
-  for (const pin& each : device.pins()) {
-    if (!is_clock(each))
-      declarations += fmt::format("  wire {}{};\n", range_text(each.bits.width), each.name);
-  }
+  const auto declare = [&](bool is_input) {
+    std::string names;
+    int bits = 0;
+    for (const bound_port* each : connected(device.ports(), is_input)) {
+      declarations += fmt::format("  wire {}{};\n", range_text(each->bits.width), each->what.name);
+      names += (names.empty() ? "" : ", ") + each->what.name;
+      bits += each->bits.width;
+    }
+    return std::pair(names, bits);
+  };
+  const auto [inputs, in] = declare(true);
+  const auto [outputs, out] = declare(false);
   return fmt::format(
       "`timescale 1ns / 1ps\n"
       "module replay;\n"
@@ -103,7 +119,7 @@ std::string bench_text(const model& device, const std::string& module_name) {
 
 }  // namespace
 
-void write_replay(const model& device, const std::string& module_name, int cycles,
+void write_replay(const netlist::elaborated& device, const std::string& module_name, int cycles,
                   const std::filesystem::path& directory) {
   write_files({{"vectors.txt", vectors_text(device, cycles)}, {"replay.v", bench_text(device, module_name)}},
               directory);

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-#include "tb/export/model.h"
+#include "tb/export/modules.h"
 
 namespace blysk::verilog {
 
@@ -14,7 +14,7 @@ namespace blysk::verilog {
 /// replay.v, a bench that applies them to the module and says "CYCLES cycles replayed, 0 differ". The clock is the pin
 /// clk, if there is one; rst_n is low in the first cycle, which is not compared, and now and then later.
 /// \throws std::ios_base::failure
-void write_replay(const model& device, const std::string& module_name, int cycles,
+void write_replay(const netlist::elaborated& device, const std::string& module_name, int cycles,
                   const std::filesystem::path& directory);
 
 /// Writes files into a directory that is there.

@@ -2,6 +2,7 @@
 // The exporter on a device that is none of the project's: what devices to come need of it.
 #include <unistd.h>
 
+#include <array>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -20,17 +21,14 @@ using namespace blysk;
 using code = uq<10, 0>;
 using word = sq<4, 12>;
 
-struct squares {
-  std::int64_t words[1000];
-};
-
-constexpr squares make_squares() {
-  squares table{};
-  for (int i = 0; i < 1000; ++i) table.words[i] = std::int64_t{i} * i % 65536 - 32768;
-  return table;
+constexpr std::array<std::int64_t, 1000> make_squares() {
+  std::array<std::int64_t, 1000> words{};
+  for (std::size_t i = 0; i < words.size(); ++i)
+    words[i] = static_cast<std::int64_t>(i) * static_cast<std::int64_t>(i) % 65536 - 32768;
+  return words;
 }
 
-constexpr squares kSquares = make_squares();
+constexpr std::array<std::int64_t, 1000> kSquares = make_squares();
 
 /// y_o = table(a_i), a thousand words.
 struct rom : sc_core::sc_module {
@@ -45,12 +43,12 @@ struct rom : sc_core::sc_module {
   template <class T>
   static constexpr T law(T a) {
     using law::lookup;
-    return lookup(kSquares.words, a);
+    return lookup(kSquares, a);
   }
 
   template <class Reader>
   void describe(Reader& reader) const {
-    reader.block("rom", "Table: y_o = (a_i^2 mod 2^16 - 2^15) ulp, 0 from code 1000 on.");
+    reader.block_is("rom", "Table: y_o = (a_i^2 mod 2^16 - 2^15) ulp, 0 from code 1000 on.");
     reader.drive(y_o, law(reader.read(a_i, code{})), word{});
   }
 
@@ -84,7 +82,7 @@ struct accumulator : sc_core::sc_module {
 
   template <class Reader>
   void describe(Reader& reader) const {
-    reader.block("accumulator", "Register: adds d_i while add_i is one, modulo 2^17.");
+    reader.block_is("accumulator", "Register: adds d_i while add_i is one, modulo 2^17.");
     const auto sum = reader.read(sum_q);
     const auto d = reader.read(d_i, word{});
     reader.reg(clk, rst_n, reader.read(add_i), sum + d, sum_q, word{}, kReset);
@@ -176,15 +174,15 @@ struct toy : sc_core::sc_module {
   }
 
   template <class Reader>
-  void pins(Reader& reader) {
-    reader.pin(clk, "samples add_i");
-    reader.pin(rst_n, "synchronous");
-    reader.pin(add_i, "adds");
-    reader.pin(a_i, "to stage 1", code{});
-    reader.pin(b_i, "to stage 2", code{});
-    reader.pin(total_o, "both sums and an ulp", total{});
-    reader.pin(a_bits_o, "of stage 1", word{});
-    reader.pin(b_bits_o, "of stage 2", word{});
+  static void pins(Reader& reader) {
+    reader.clock(&toy::clk, {"clk", "", "clk", "samples add_i"});
+    reader.reset(&toy::rst_n, {"rst_n", "", "rst_n", "synchronous"});
+    reader.control(&toy::add_i, {"add_i", "", "add", "adds"});
+    reader.data(&toy::a_i, {"a_i", "", "a", "to stage 1"}, code{}, "a");
+    reader.data(&toy::b_i, {"b_i", "", "b", "to stage 2"}, code{}, "b");
+    reader.result(&toy::total_o, {"total_o", "", "total", "both sums and an ulp"}, total{}, "total");
+    reader.result(&toy::a_bits_o, {"a_bits_o", "", "a_bits", "of stage 1"}, word{}, "a_bits");
+    reader.result(&toy::b_bits_o, {"b_bits_o", "", "b_bits", "of stage 2"}, word{}, "b_bits");
   }
 
   auto blocks() const { return std::tuple_cat(stage1.blocks(), stage2.blocks(), std::tie(carry3, add4)); }
@@ -201,7 +199,7 @@ std::string slurp(const std::filesystem::path& path) {
 }  // namespace
 
 TEST_CASE("a table, an accumulator and two equal stages are exported, linted and simulated", "[export]") {
-  const verilog::model device(std::make_unique<toy>("toy"), "");
+  const netlist::elaborated device(std::make_unique<toy>("toy"), 0);
   const verilog::files texts = verilog::export_files(device, "toy", "a toy");
 
   // One module per type, whatever the number of its instances.
@@ -264,9 +262,9 @@ struct two_holders : sc_core::sc_module {
   }
 
   template <class Reader>
-  void pins(Reader& reader) {
-    reader.pin(a_o, "1", word{});
-    reader.pin(b_o, "2", word{});
+  static void pins(Reader& reader) {
+    reader.result(&two_holders::a_o, {"a_o", "1", "a_o", ""}, word{}, "a_o");
+    reader.result(&two_holders::b_o, {"b_o", "2", "b_o", ""}, word{}, "b_o");
   }
   auto blocks() const { return std::tie(one.held, two.held); }
 };
@@ -305,9 +303,9 @@ struct doubled : sc_core::sc_module {
   }
 
   template <class Reader>
-  void pins(Reader& reader) {
-    reader.pin(a_i, "", word{});
-    reader.pin(y_o, "", toy::total{});
+  static void pins(Reader& reader) {
+    reader.data(&doubled::a_i, {"a_i", "", "a_i", ""}, word{}, "a_i");
+    reader.result(&doubled::y_o, {"y_o", "", "y_o", ""}, toy::total{}, "y_o");
   }
   auto blocks() const { return std::tie(sum.carry1, sum.add2); }
 };
@@ -315,13 +313,13 @@ struct doubled : sc_core::sc_module {
 }  // namespace
 
 TEST_CASE("a module of modules with two ports on one net is refused", "[export]") {
-  const verilog::model device(std::make_unique<doubled>("doubled"), "");
+  const netlist::elaborated device(std::make_unique<doubled>("doubled"), 0);
   CHECK_THROWS_WITH(verilog::export_files(device, "doubled", ""),
                     Catch::Matchers::StartsWith("a_i and b_i of doubled.sum are bound to one net"));
 }
 
 TEST_CASE("two modules of one type that differ are refused", "[export]") {
-  const verilog::model device(std::make_unique<two_holders>("two_holders"), "");
+  const netlist::elaborated device(std::make_unique<two_holders>("two_holders"), 0);
   CHECK_THROWS_AS(verilog::export_files(device, "two_holders", ""), std::logic_error);
 }
 
@@ -350,10 +348,10 @@ struct two_kinds : sc_core::sc_module {
   }
 
   template <class Reader>
-  void pins(Reader& reader) {
-    reader.pin(a_i, "", uq<1, 4>{});
-    reader.pin(y_o, "", uq<3, 4>{});
-    reader.pin(z_o, "", uq<3, 4>{});
+  static void pins(Reader& reader) {
+    reader.data(&two_kinds::a_i, {"a_i", "", "a_i", ""}, uq<1, 4>{}, "a_i");
+    reader.result(&two_kinds::y_o, {"y_o", "", "y_o", ""}, uq<3, 4>{}, "y_o");
+    reader.result(&two_kinds::z_o, {"z_o", "", "z_o", ""}, uq<3, 4>{}, "z_o");
   }
   auto blocks() const { return std::tie(carry1, add2, add3); }
 };
@@ -361,7 +359,7 @@ struct two_kinds : sc_core::sc_module {
 }  // namespace
 
 TEST_CASE("kinds that formats do not tell apart are numbered", "[export]") {
-  const verilog::model device(std::make_unique<two_kinds>("two_kinds"), "");
+  const netlist::elaborated device(std::make_unique<two_kinds>("two_kinds"), 0);
   const verilog::files texts = verilog::export_files(device, "two_kinds", "");
   CHECK(texts.contains("two_kinds_add_uq1_4_uq1_4_to_uq3_4.v"));
   CHECK(texts.contains("two_kinds_add_uq1_4_uq1_4_to_uq3_4_2.v"));

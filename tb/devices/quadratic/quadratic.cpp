@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+// The device of UA 60553 as its user meets it: options, formula, bit-accurate model.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+
+#include "tb/devices/quadratic/kernel.h"
+#include "tb/devices/quadratic/wires.h"
+#include "tb/golden/lobe_formulas.h"
+#include "tb/specular/specular.h"
+#include "tb/visit_format.h"
+
+namespace blysk::quadratic_device {
+
+wired_constants wires(const selection& asked, int bits) {
+  wired_constants wired =
+      asked.value("coefficient") == "published" ? published_line(bits) : derived_line(bits);
+  const std::string& constant = asked.value("constant");
+  if (constant.empty()) return wired;
+  if (constant.front() != '1' || constant.find_first_not_of("01") != std::string::npos ||
+      constant.size() > static_cast<std::size_t>(bits)) {
+    throw std::invalid_argument(fmt::format(
+        "constant {} cannot be wired at node 31, expected 1 to {} bits of 0 and 1, the first of them 1",
+        constant, bits));
+  }
+  wired.slope = std::stoll(constant, nullptr, 2) << (bits - static_cast<int>(constant.size()));
+  return wired;
+}
+
+wired_constants wires(const selection& asked) {
+  return wires(asked, slope_bits(asked.fraction()));
+}
+
+namespace {
+
+golden::coefficient_line line_of(const selection& asked) {
+  const std::string& name = asked.value("coefficient");
+  if (name == "published") return golden::coefficient_line::published;
+  if (name == "derived") return golden::coefficient_line::derived;
+  return golden::coefficient_line::exact;
+}
+
+class quadratic final : public specular::device_of_points {
+ public:
+  std::string name() const override { return "quadratic"; }
+  std::string title() const override { return "a quadratic in cos(delta), its coefficient a line in n"; }
+  std::string source() const override { return "patent UA 60553, fig. 1"; }
+
+  std::vector<option> options() const override {
+    return {{.name = "coefficient",
+             .help = "a = 0.786 n + 0.5 (published), 0.78694 n - 0.5 (derived), formula (9) (exact)",
+             .values = {"derived", "published"},
+             .preset = "derived",
+             .formula_values = {"exact"}},
+            {.name = "constant",
+             .help = "bits wired at node 31 after the point, such as 11001001",
+             .is_wired = true},
+            {.name = "as-published",
+             .help = "keep the negative lobe instead of clamping to [0, 1]",
+             .values = {"off", "on"},
+             .preset = "off"}};
+  }
+
+  void check(const selection& asked) const override {
+    if (asked.is_for() == purpose::hardware) wires(asked);
+  }
+
+  std::string words(const selection& asked) const override {
+    const std::string& constant = asked.value("constant");
+    return fmt::format("coefficient {}{}, BRDF {}", asked.value("coefficient"),
+                       constant.empty() ? "" : ", constant 0." + constant + "b",
+                       asked.flag("as-published") ? "as published" : "clamped to [0, 1]");
+  }
+
+  std::function<double(double, double)> formula(const selection& asked) const override {
+    const auto line = line_of(asked);
+    if (asked.flag("as-published"))
+      return [line](double n, double c) { return golden::quadratic<double>(line, n, c); };
+    return [line](double n, double c) { return std::clamp(golden::quadratic<double>(line, n, c), 0.0, 1.0); };
+  }
+
+  double root(const selection& asked, double n) const override {
+    const double a = golden::coefficient<double>(line_of(asked), n);
+    return a > 1 ? 1 - 1 / a : 0;
+  }
+
+  std::unique_ptr<engine> make_bit(const selection& asked) const override {
+    const wired_constants wired = wires(asked);
+    const auto make = [wired]<class Formats>() {
+      return specular::make_kernel_engine<Formats>(
+          [wired](const specular::columns_of<Formats>& io) { compute<Formats>(wired, io); });
+    };
+    return visit_format(asked.format(), [&]<class Q>() {
+      return asked.flag("as-published")
+                 ? make.template operator()<quadratic_formats<Q, negative_lobe::as_published>>()
+                 : make.template operator()<quadratic_formats<Q, negative_lobe::clamped>>();
+    });
+  }
+
+  word_lengths widths(const selection& asked) const override {
+    return specular::widths_of(asked.fraction(), slope_bits(asked.fraction()));
+  }
+
+  std::unique_ptr<engine> make_bit(const selection& asked, const word_lengths& bits) const override {
+    const specular::free_shape shape = specular::shape_of(bits, !asked.flag("as-published"));
+    return specular::make_free_engine([shape, wired = wires(asked, shape.coefficient_bits)](
+                                          const specular::free_columns& io) { compute(shape, wired, io); });
+  }
+};
+
+}  // namespace
+
+const device& instance() {
+  static const quadratic device;
+  return device;
+}
+
+}  // namespace blysk::quadratic_device

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+/// A device in SystemC under its strobes, as an engine.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "tb/device.h"
+#include "tb/engine.h"
+
+namespace blysk::harness {
+
+inline constexpr double kClockPeriodNs = 10;
+
+/// A device elaborated in SystemC, with clock, strobes and a monitor at its valid port.
+///
+/// Every write takes two clock cycles: strobes change with the falling edges of clk, the strobe that writes by its
+/// trailing edge goes up and down again, the others go up as it goes down if their value changes. The monitor reads the
+/// results at the next leading edge of the valid port.
+/// SystemC elaborates once: a process makes one engine and makes it before it runs any.
+class systemc_engine : public clocked_engine {
+ public:
+  /// Records the waves from now on in a VCD file, timescale 1 ps. Before the first run.
+  /// \param path  without the ending .vcd, which SystemC appends
+  virtual void trace(const std::string& path) = 0;
+
+  /// Ends the record and closes its file.
+  /// \return  whether its end is in the file: SystemC does not say when a disk is full
+  virtual bool stop_trace() = 0;
+
+ protected:
+  using clocked_engine::clocked_engine;
+};
+
+/// Whether a VCD file, timescale 1 ps, ends as a whole line not longer than a clock period before `now_ps`.
+bool ends_at(const std::string& vcd, double now_ps);
+
+/// \throws std::logic_error for a device without a strobe that writes by its trailing edge and a valid port
+std::unique_ptr<systemc_engine> make_systemc(const selection& asked);
+
+}  // namespace blysk::harness

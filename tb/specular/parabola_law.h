@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The laws between registers and outputs of rtl_sysc/devices/parabola.h, composed in the netlist's order.
+///
+/// One composition serves two readers: kernels of a named format, whose widths are constants and whose integers are as
+/// narrow as their nets, and the explorer's, whose widths are numbers of the moment.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+
+#include "rtl_sysc/devices/parabola.h"
+#include "tb/columns.h"
+
+namespace blysk::specular {
+
+/// int32_t or int64_t, for computing with numbers of format Q.
+template <class Q>
+using machine_int = std::conditional_t<(Q::width + (Q::is_signed ? 0 : 1) <= 32), std::int32_t, std::int64_t>;
+
+/// The word lengths of a named format.
+/// \tparam Formats  a parabola_formats
+template <class Formats>
+struct fixed_shape {
+  static constexpr int cos_bits = Formats::cos_bits;
+  static constexpr int coefficient_bits = Formats::coefficient_bits;
+  static constexpr int diff_bits = Formats::diff_bits;
+  static constexpr bool is_clamped = Formats::lobe == negative_lobe::clamped;
+
+  using a_t = machine_int<typename Formats::a>;
+  using cos_t = machine_int<typename Formats::cos_inv>;
+  using square_t = machine_int<typename Formats::mul7::exact>;
+  using product_t = machine_int<typename Formats::a_diff>;
+  using brdf_t = machine_int<typename Formats::brdf>;
+  using out_t = std::conditional_t<(Formats::out::width <= 32), std::uint32_t, std::int64_t>;
+};
+
+/// Word lengths that are chosen at run time, everything in 64 bits.
+struct free_shape {
+  int cos_bits;
+  int coefficient_bits;
+  int diff_bits;
+  bool is_clamped;
+
+  using a_t = std::int64_t;
+  using cos_t = std::int64_t;
+  using square_t = std::int64_t;
+  using product_t = std::int64_t;
+  using brdf_t = std::int64_t;
+  using out_t = std::int64_t;
+};
+
+/// From registers 1 and 2 to the BRDF, [P] fig. 1.
+/// \param a  coefficient, raw, with coefficient_bits
+/// \param c  cos(delta), raw, with cos_bits, 0..2^cos_bits; beyond, the result is unspecified
+/// \return   BRDF, raw, with cos_bits
+template <class Shape>
+[[gnu::always_inline]] inline typename Shape::brdf_t parabola(const Shape& shape, typename Shape::a_t a,
+                                                              typename Shape::cos_t c) {
+  using cos_t = typename Shape::cos_t;
+  using square_t = typename Shape::square_t;
+  using product_t = typename Shape::product_t;
+  constexpr cos_t carry28 = 1;
+  constexpr product_t carry30 = 0;
+  const auto cos2 = static_cast<cos_t>(law::mul<square_t>(c, c, 2 * shape.cos_bits - shape.diff_bits));
+  const auto cos_inv = law::ones_complement<cos_t>(c, shape.diff_bits - shape.cos_bits);
+  const auto diff = law::add<cos_t>(cos2, 0, cos_inv, 0, carry28);
+  const auto a_diff = law::mul<product_t>(a, diff, 0);
+  const int dropped = shape.coefficient_bits + shape.diff_bits - shape.cos_bits;
+  const auto sum = law::add<product_t>(a_diff, 0, c, dropped, carry30);
+  const auto rounded = law::round_off<product_t>(sum, dropped);
+  const auto one = static_cast<product_t>(product_t{1} << shape.cos_bits);
+  return static_cast<typename Shape::brdf_t>(
+      shape.is_clamped ? law::clamp<product_t>(rounded, product_t{0}, one) : rounded);
+}
+
+/// Columns of writes and of their results, all of the same length and none overlapping another.
+template <class Cos, class Brdf, class Out>
+struct point_columns {
+  const std::uint16_t* n;
+  const Cos* cos_delta;
+  const std::uint8_t* red_ks;
+  const std::uint8_t* green_ks;
+  const std::uint8_t* blue_ks;
+  Brdf* brdf;
+  Out* red;
+  Out* green;
+  Out* blue;
+  std::size_t size;
+};
+
+/// The columns of a named format.
+template <class Formats>
+using columns_of = point_columns<stored<typename Formats::cos_delta>, stored<typename Formats::brdf>,
+                                 stored<typename Formats::out>>;
+
+/// From the registers to 25, 26, 27 for every write.
+/// \param coefficient  a of n, raw: what the device puts in front of multiplier 10
+template <class Shape, class Coefficient, class Columns>
+[[gnu::always_inline]] inline void shade(const Shape& shape, Coefficient coefficient, const Columns& io) {
+  using out_t = typename Shape::out_t;
+  using brdf_column = std::remove_pointer_t<decltype(io.brdf)>;
+  using out_column = std::remove_pointer_t<decltype(io.red)>;
+#pragma omp simd
+  for (std::size_t i = 0; i < io.size; ++i) {
+    const auto brdf =
+        parabola(shape, coefficient(io.n[i]), static_cast<typename Shape::cos_t>(io.cos_delta[i]));
+    const auto factor = static_cast<out_t>(brdf);
+    io.brdf[i] = static_cast<brdf_column>(brdf);
+    io.red[i] = static_cast<out_column>(law::mul<out_t>(factor, io.red_ks[i], 0));
+    io.green[i] = static_cast<out_column>(law::mul<out_t>(factor, io.green_ks[i], 0));
+    io.blue[i] = static_cast<out_column>(law::mul<out_t>(factor, io.blue_ks[i], 0));
+  }
+}
+
+/// The pointers that a kernel takes, from an engine's columns.
+template <class Formats>
+columns_of<Formats> pointers(const columns& in, columns& out) {
+  using cos_t = stored<typename Formats::cos_delta>;
+  using brdf_t = stored<typename Formats::brdf>;
+  using out_t = stored<typename Formats::out>;
+  return {in[0].data<std::uint16_t>(), in[1].data<cos_t>(),
+          in[2].data<std::uint8_t>(),  in[3].data<std::uint8_t>(),
+          in[4].data<std::uint8_t>(),  out[0].data<brdf_t>(),
+          out[1].data<out_t>(),        out[2].data<out_t>(),
+          out[3].data<out_t>(),        in.size()};
+}
+
+}  // namespace blysk::specular

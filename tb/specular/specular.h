@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+/// What the devices with the registers and colour multipliers of rtl_sysc/devices/specular.h share on this side.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "tb/device.h"
+
+namespace blysk::specular {
+
+/// A device that computes (brdf, red, green, blue) from (n, cos, r, g, b).
+class device_of_points : public device {
+ public:
+  /// n and cos; the colours run alongside.
+  std::size_t enumerated() const override { return 2; }
+
+  /// The code at the upper end of where the BRDF is 0, for the exponent before it.
+  std::vector<std::int64_t> corners(const selection& asked,
+                                    std::span<const std::int64_t> before) const override;
+
+  std::unique_ptr<engine> make_golden(const selection& asked) const override;
+
+  /// The device's own formula: BRDF of n and cos(delta), limited as the options say.
+  virtual std::function<double(double n, double c)> formula(const selection& asked) const = 0;
+
+  /// The largest cos(delta) below 1 where the formula's lobe ends, in [0, 1).
+  virtual double root(const selection& asked, double n) const = 0;
+};
+
+/// Columns of the stimulus and of the results, in the ports' order.
+enum stimulus_column : std::size_t { kN, kCos, kRed, kGreen, kBlue };
+enum result_column : std::size_t { kBrdf, kOutRed, kOutGreen, kOutBlue };
+
+}  // namespace blysk::specular
