@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Where the time of `simulate` goes: reading CSV, the engine, writing CSV, one after the other and then side by side.
-#include <unistd.h>
+#include <stdlib.h>
 
 #include <algorithm>
 #include <chrono>
@@ -11,6 +11,7 @@
 #include "tb/bit/quadratic.h"
 #include "tb/cli/stream.h"
 #include "tb/cosim/verilator_engine.h"
+#include "tb/program.h"
 
 namespace {
 
@@ -86,15 +87,10 @@ void show_split(std::string_view name, engine& device, int fraction, const std::
              100 * least.running / least.streaming);
 }
 
-}  // namespace
-
-int sc_main(int, char**) {
-  return 0;
-}
-
-int main() {
-  const auto folder = std::filesystem::temp_directory_path() / fmt::format("blysk-bench-csv-{}", getpid());
-  std::filesystem::create_directory(folder);
+int run() {
+  std::string pattern = (std::filesystem::temp_directory_path() / "blysk-bench-csv-XXXXXX").string();
+  if (mkdtemp(pattern.data()) == nullptr) throw file_error(pattern, 0, "cannot be made");
+  const std::filesystem::path folder = pattern;
   const device_options options;
   const int fraction = fraction_bits(options);
   fmt::print("{}, ns a row\n{:<10} {:>12} {:>12} {:>12} {:>12} {:>14}\n", options.format, "engine",
@@ -104,4 +100,14 @@ int main() {
   show_split("systemc", *bench::make_systemc(options), fraction, folder, 100'000);
   std::filesystem::remove_all(folder);
   return 0;
+}
+
+}  // namespace
+
+int sc_main(int, char**) {
+  return 0;
+}
+
+int main() {
+  return blysk::run_program("bench_csv", run);
 }

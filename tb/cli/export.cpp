@@ -7,7 +7,7 @@
 
 #include "tb/cli/device_arguments.h"
 #include "tb/cli/verbs.h"
-#include "tb/files.h"
+#include "tb/output_file.h"
 
 namespace blysk::cli {
 namespace {
@@ -20,7 +20,8 @@ struct options {
 void run(const options& asked) {
   const auto device = verilog::make_model(asked.device);
   write_directory(asked.output, verilog::export_files(*device, asked.device));
-  fmt::print("{}: read it with the file list {}.f\n", asked.output, verilog::top_name(asked.device));
+  fmt::print("{}: read it with the file list {}.f\n", printable(asked.output),
+             verilog::top_name(asked.device));
 }
 
 }  // namespace

@@ -9,8 +9,8 @@
 #include <variant>
 #include <vector>
 
+#include "tb/csv_reader.h"
 #include "tb/engine.h"
-#include "tb/files.h"
 
 namespace blysk::cli {
 

@@ -16,8 +16,9 @@
 #include "tb/cli/stream.h"
 #include "tb/cli/verbs.h"
 #include "tb/cosim/verilator_engine.h"
-#include "tb/files.h"
+#include "tb/csv_reader.h"
 #include "tb/golden/lobe_formulas.h"
+#include "tb/output_file.h"
 
 namespace blysk::cli {
 namespace {
@@ -107,7 +108,7 @@ void run(const options& asked) {
   const simulation simulated = make_simulation(asked);
   if (!asked.vcd.empty()) {
     constexpr std::string_view ending = ".vcd";  // SystemC appends it
-    waves.emplace(asked.vcd, ".part.vcd");
+    waves.emplace(asked.vcd, ending);
     const std::string& path = waves->temporary_path();
     if (path.empty()) throw file_error(asked.vcd, 0, "is no regular file, expected one to write");
     simulated.systemc->trace(path.substr(0, path.size() - ending.size()));
@@ -115,6 +116,7 @@ void run(const options& asked) {
   const std::uint64_t count = stream(rows, fraction_bits(asked.device), simulated.compute, results);
   results.close();
   if (waves) {
+    if (count == 0) sc_core::sc_start(1, sc_core::SC_PS);  // SystemC writes the state at 0 as time goes on
     if (!simulated.systemc->stop_trace()) {
       throw file_error(asked.vcd, 0, "cannot be written to its end, expected room for the waves");
     }

@@ -6,24 +6,20 @@
 
 #include <charconv>
 #include <cstdint>
-#include <cstdio>
-#include <exception>
 #include <fstream>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+
+#include "tb/output_file.h"
+#include "tb/program.h"
 
 namespace blysk::cosim {
 
 /// The body of a main(): bad use or bad input ends it with one line on standard error and status 2.
 template <class Body>
 int program(Body body) {
-  try {
-    return body();
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "blysk: {}\n", error.what());
-    return 2;
-  }
+  return run_program("blysk", body);
 }
 
 /// \throws std::invalid_argument if the text is no decimal number above zero
@@ -37,16 +33,11 @@ inline std::uint64_t positive(std::string_view name, std::string_view text) {
 }
 
 /// Writes the file as a whole or not at all.
-/// \throws std::runtime_error if it cannot be written
+/// \throws usage_error if it cannot be written
 inline void write_file(const std::string& path, std::string_view text) {
-  const std::string part = path + ".part";
-  std::ofstream file(part, std::ios::binary);
-  file << text;
-  file.close();
-  if (!file || std::rename(part.c_str(), path.c_str()) != 0) {
-    std::remove(part.c_str());
-    throw std::runtime_error(path + ": cannot be written, expected a file in a folder that exists");
-  }
+  output_file file(path);
+  file.write(text);
+  file.commit();
 }
 
 }  // namespace blysk::cosim

@@ -10,6 +10,7 @@
 
 #include "tb/export/export.h"
 #include "tb/export/replay.h"
+#include "tb/program.h"
 
 namespace {
 
@@ -88,10 +89,5 @@ int sc_main(int, char**) {
 }  // SystemC's library asks for one
 
 int main(int argc, char** argv) {
-  try {
-    return run(argc, argv);
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "exported: {}\n", error.what());
-    return 2;
-  }
+  return blysk::run_program("exported", [&] { return run(argc, argv); });
 }
