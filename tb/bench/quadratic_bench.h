@@ -87,7 +87,7 @@ class quadratic_host : public sc_core::sc_module {
     sensitive << pins.valid29.posedge_event();
     dont_initialize();
   }
-  SC_HAS_PROCESS(quadratic_host);
+  using SC_CURRENT_USER_MODULE = quadratic_host;  // for SC_METHOD of SystemC 2
 
   void run(const batch& in, results& out) {
     if (cycles_ == 0) start(kResetCycles);

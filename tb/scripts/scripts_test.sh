@@ -247,6 +247,18 @@ END
     exits 1 tree/scripts/lint tidy stubs
     one_line compile_commands.json
     ;;
+  timescale)
+    printf '`timescale 1ns/1ps\nmodule tb;\n  blysk_quadratic_q8 dut ();\nendmodule\n' >tb.v
+    # As docs/verilog.md has it.
+    command=$(sed -n 's/^ *`\(verilator .*--timescale .*\) tb.v`;.*/\1/p' "$source/docs/verilog.md")
+    [ -n "$command" ] || fail 'docs/verilog.md has no such command'
+    cp -R "$source/rtl_verilog/quadratic_q8" rtl
+    cp tb.v rtl
+    cd rtl
+    $command -Wno-PINMISSING tb.v
+    ! ${command/--timescale 1ns\/1ps/} -Wno-PINMISSING tb.v 2>error || fail 'it is not needed'
+    grep -q TIMESCALEMOD error
+    ;;
   line_ends)
     git -C "$source" rev-parse 2>/dev/null || exit 77 # no clone
     git -C "$source" ls-files --eol |
