@@ -340,7 +340,11 @@ void output_file::commit() {
   errno = 0;
   if (!copies_ && !temporary_->move_to(target_)) {
     // The folder refuses, or something is mounted there; the file itself may be written all the same.
-    copies_ = errno == EBUSY || errno == EXDEV || errno == EACCES || errno == EPERM || errno == EROFS;
+    const int reason = errno;
+    copies_ =
+        (reason == EBUSY || reason == EXDEV || reason == EACCES || reason == EPERM || reason == EROFS) &&
+        access(target_.c_str(), F_OK) == 0;
+    errno = reason;
     if (!copies_) fail(0);
   }
   if (copies_) {

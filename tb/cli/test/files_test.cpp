@@ -9,6 +9,7 @@
 
 #include "tb/catch.h"
 #include "tb/cli/test/program.h"
+#include "tb/cosim/program.h"
 #include "tb/usage_error.h"
 
 namespace {
@@ -70,6 +71,18 @@ TEST_CASE("files of the names that were temporary once are their user's", "[cli]
   const std::string own = "echo own >a.csv.$$.part; echo own >w.vcd.$$.part.vcd";
   CHECK(shell(folder, fmt::format(fmt::runtime(run), own, "bad.csv")) == 2);
   CHECK(folder.names().size() == 9);
+}
+
+TEST_CASE("a table of the co-simulation goes to its place by a name of its own", "[cli][files]") {
+  const scratch folder;
+  folder.write("precious", "precious");
+  fs::create_symlink("precious", folder.path("table.md.part"));
+  blysk::cosim::write_file(folder.path("table.md"), "text");
+  CHECK(slurp(folder.path("table.md")) == "text");
+  CHECK_FALSE(fs::is_symlink(folder.path("table.md")));
+  CHECK(slurp(folder.path("precious")) == "precious");
+  CHECK_THROWS_AS(blysk::cosim::write_file(folder.path("none/table.md"), "text"), blysk::usage_error);
+  CHECK(folder.names().size() == 3);
 }
 
 TEST_CASE("a standard error that is full or closed leaves the status", "[cli][files]") {
