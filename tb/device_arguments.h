@@ -11,7 +11,7 @@
 namespace blysk {
 
 /// A device, its format and options as a command line gives them.
-struct device_arguments {
+struct asked_device {
   std::string device = devices().front()->name();
   std::string format = "q16";
   std::map<std::string, std::string> options;  ///< those that were given
@@ -24,6 +24,6 @@ struct device_arguments {
 
 /// Adds --device, --format and the options of all devices; choose() refuses those that the device does not have.
 /// \param arguments  outlives the command line
-void add_device_arguments(CLI::App& verb, device_arguments& arguments, purpose is_for);
+void add_device_arguments(CLI::App& verb, asked_device& arguments, purpose is_for);
 
 }  // namespace blysk

@@ -4,17 +4,18 @@
 #include <fmt/format.h>
 
 #include <charconv>
-#include <cstdio>
-#include <exception>
 #include <stdexcept>
 #include <system_error>
 #include <systemc>
+
+#include "tb/run_program.h"
+#include "tb/usage_error.h"
 
 namespace blysk {
 
 int run_program(int argc, char** argv, const std::string& what,
                 const std::function<void(CLI::App&)>& describe, const std::function<int()>& run) {
-  try {
+  return run_program("blysk", [&] {
     sc_core::sc_report_handler::set_actions(sc_core::SC_INFO, sc_core::SC_DO_NOTHING);
     CLI::App program{what};
     describe(program);
@@ -23,16 +24,10 @@ int run_program(int argc, char** argv, const std::string& what,
     } catch (const CLI::Success& success) {  // --help
       return program.exit(success);
     } catch (const CLI::Error& error) {
-      throw std::invalid_argument(fmt::format("{}, expected the arguments that --help names", error.what()));
+      throw usage_error(fmt::format("{}, expected the arguments that --help names", error.what()));
     }
-    const int status = run();
-    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
-      throw std::runtime_error("standard output cannot be written, expected a place with room");
-    return status;
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "blysk: {}\n", error.what());
-    return 2;
-  }
+    return run();
+  });
 }
 
 void device_arguments::add_to(CLI::App& program) {

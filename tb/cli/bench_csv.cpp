@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Where the time of `simulate` goes: reading CSV, the engine, writing CSV, one after the other and then side by side.
-#include <unistd.h>
+#include <stdlib.h>
 
 #include <algorithm>
 #include <chrono>
@@ -9,7 +9,8 @@
 
 #include "tb/cli/engines.h"
 #include "tb/cli/stream.h"
-#include "tb/harness/systemc_engine.h"
+#include "tb/output_file.h"
+#include "tb/run_program.h"
 
 namespace {
 
@@ -87,15 +88,10 @@ void show_split(const std::string& name, const selection& asked, const std::file
              100 * least.running / least.streaming);
 }
 
-}  // namespace
-
-int sc_main(int, char**) {
-  return 0;
-}
-
-int main() {
-  const auto folder = std::filesystem::temp_directory_path() / fmt::format("blysk-bench-csv-{}", getpid());
-  std::filesystem::create_directory(folder);
+int run() {
+  std::string pattern = (std::filesystem::temp_directory_path() / "blysk-bench-csv-XXXXXX").string();
+  if (mkdtemp(pattern.data()) == nullptr) throw file_error(pattern, 0, "cannot be made");
+  const std::filesystem::path folder = pattern;
   const selection asked = choose(devices().front()->name(), "q16");
   fmt::print("{} {}, ns a row\n{:<10} {:>12} {:>12} {:>12} {:>12} {:>14}\n", asked.of().name(),
              asked.format(), "engine", "reading CSV", "engine", "writing CSV", "streamed", "engine's part");
@@ -104,4 +100,14 @@ int main() {
   show_split("systemc", asked, folder, 100'000);
   std::filesystem::remove_all(folder);
   return 0;
+}
+
+}  // namespace
+
+int sc_main(int, char**) {
+  return 0;
+}
+
+int main() {
+  return blysk::run_program("bench_csv", run);
 }

@@ -5,22 +5,22 @@
 
 #include <memory>
 
-#include "tb/device_arguments.h"
 #include "tb/cli/verbs.h"
-#include "tb/files.h"
+#include "tb/device_arguments.h"
+#include "tb/output_file.h"
 
 namespace blysk::cli {
 namespace {
 
 struct options {
-  device_arguments device;
+  asked_device device;
   std::string output;
 };
 
 void run(const options& asked) {
   const selection device = asked.device.choose();
   write_directory(asked.output, verilog::export_files(device));
-  fmt::print("{}: read it with the file list {}.f\n", asked.output, device.top_name());
+  fmt::print("{}: read it with the file list {}.f\n", printable(asked.output), device.top_name());
 }
 
 }  // namespace

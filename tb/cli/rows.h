@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "tb/columns.h"
-#include "tb/files.h"
+#include "tb/csv_reader.h"
 
 namespace blysk::cli {
 

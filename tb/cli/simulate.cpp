@@ -7,18 +7,19 @@
 #include <optional>
 #include <vector>
 
-#include "tb/device_arguments.h"
 #include "tb/cli/engines.h"
 #include "tb/cli/stream.h"
 #include "tb/cli/verbs.h"
-#include "tb/files.h"
+#include "tb/csv_reader.h"
+#include "tb/device_arguments.h"
 #include "tb/harness/systemc_engine.h"
+#include "tb/output_file.h"
 
 namespace blysk::cli {
 namespace {
 
 struct options {
-  device_arguments device;
+  asked_device device;
   std::string engine = "bit";
   std::string stimulus, results, vcd;
   bool json = false;
@@ -70,7 +71,7 @@ void run(const options& asked) {
   auto* const systemc = dynamic_cast<harness::systemc_engine*>(simulated.get());
   if (!asked.vcd.empty()) {
     constexpr std::string_view ending = ".vcd";  // SystemC appends it
-    waves.emplace(asked.vcd, ".part.vcd");
+    waves.emplace(asked.vcd, ending);
     const std::string& path = waves->temporary_path();
     if (path.empty()) throw file_error(asked.vcd, 0, "is no regular file, expected one to write");
     systemc->trace(path.substr(0, path.size() - ending.size()));

@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "tb/cli/rows.h"
+#include "tb/output_file.h"
 
 namespace blysk::cli {
 

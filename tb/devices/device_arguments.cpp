@@ -46,7 +46,7 @@ std::string help_of(const shared_option& of, purpose is_for) {
 
 }  // namespace
 
-void add_device_arguments(CLI::App& verb, device_arguments& arguments, purpose is_for) {
+void add_device_arguments(CLI::App& verb, asked_device& arguments, purpose is_for) {
   std::vector<std::string> names;
   std::ranges::transform(devices(), std::back_inserter(names),
                          [](const device* each) { return each->name(); });

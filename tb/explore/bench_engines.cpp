@@ -10,6 +10,7 @@
 #include <ctime>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <random>
 #include <span>
 #include <string>
@@ -18,6 +19,8 @@
 
 #include "tb/golden/lobe.h"
 #include "tb/harness/systemc_engine.h"
+#include "tb/output_file.h"
+#include "tb/run_program.h"
 #include "tb/specular/specular.h"
 
 namespace {
@@ -178,13 +181,17 @@ void systemc_device(benchmark::State& state, bool all_registers, bool traced) {
     const double bare = bare_clock_seconds();
     const double taken = seconds_in_child([&] {
       const auto device = harness::make_systemc(choose_device("q16"));
-      const auto waves = std::filesystem::temp_directory_path() / fmt::format("blysk-bench-{}", getpid());
-      if (traced) device->trace(waves.string());
+      std::optional<output_file> waves;  // never committed
+      if (traced) {
+        constexpr std::string_view ending = ".vcd";  // SystemC appends it
+        waves.emplace((std::filesystem::temp_directory_path() / "blysk-bench.vcd").string(), ending);
+        const std::string& path = waves->temporary_path();
+        device->trace(path.substr(0, path.size() - ending.size()));
+      }
       const columns writes = random_writes(choose_device("q16"), count, all_registers);
       columns out;
       device->run(random_writes(choose_device("q16"), 2, true), out);
       const double device_seconds = seconds([&] { device->run(writes, out); });
-      if (traced) std::filesystem::remove(waves.string() + ".vcd");
       return device_seconds;
     });
     state.SetIterationTime(taken);
@@ -208,13 +215,7 @@ class rate_reporter : public benchmark::ConsoleReporter {
   std::map<std::string, double> rates, per_bare_cycle;
 };
 
-}  // namespace
-
-int sc_main(int, char**) {
-  return 0;
-}
-
-int main(int argc, char** argv) {
+int run(int argc, char** argv) {
   sc_core::sc_report_handler::set_actions(sc_core::SC_INFO, sc_core::SC_DO_NOTHING);
   const auto add = [](const char* name, auto function) {
     return benchmark::RegisterBenchmark(name, function)->Repetitions(9)->ReportAggregatesOnly();
@@ -258,4 +259,14 @@ int main(int argc, char** argv) {
   bare_ratio("systemc results, all registers written / cycle of bare clock", "systemc_all_registers");
   ratio("systemc without a VCD / with one (price of the waves)", "systemc_cos_only", "systemc_cos_only_vcd");
   return 0;
+}
+
+}  // namespace
+
+int sc_main(int, char**) {
+  return 0;
+}
+
+int main(int argc, char** argv) {
+  return blysk::run_program("bench_engines", [&] { return run(argc, argv); });
 }

@@ -161,7 +161,8 @@ class engine_of_host final : public systemc_engine {
 
   bool stop_trace() override {
     if (file_ == nullptr) return true;
-    if (host_.cycles() == 0) sc_core::sc_start(sc_core::SC_ZERO_TIME);  // the state at 0
+    // SystemC writes the state at 0 as time goes on.
+    if (host_.cycles() == 0) sc_core::sc_start(1, sc_core::SC_PS);
     sc_core::sc_close_vcd_trace_file(file_);
     file_ = nullptr;
     return ends_at(path_, sc_core::sc_time_stamp() / sc_core::sc_time(1, sc_core::SC_PS));

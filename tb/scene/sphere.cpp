@@ -2,6 +2,7 @@
 // The main job: a lit sphere whose highlight the SystemC device computes, pixel by pixel, beside Blinn's.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <sysc/tracing/sc_tracing_ids.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -17,11 +18,12 @@
 #include <systemc>
 
 #include "tb/device_arguments.h"
-#include "tb/files.h"
 #include "tb/golden/lobe_formulas.h"
 #include "tb/golden/sphere.h"
 #include "tb/harness/systemc_engine.h"
+#include "tb/output_file.h"
 #include "tb/progress.h"
+#include "tb/run_program.h"
 #include "tb/scene/picture.h"
 #include "tb/specular/specular.h"
 
@@ -31,7 +33,7 @@ using namespace blysk;
 using scene::picture;
 
 struct options {
-  device_arguments device;
+  asked_device device;
   std::filesystem::path output = "out";
   std::vector<int> exponents{1, 10, 50, 200, 1000};
   int side = 512;
@@ -54,15 +56,22 @@ struct sample {
   double cos_delta;  // N.H, [0, 1]; 0 where the light is behind the surface
 };
 
-/// The text as one word of a shell.
+/// The text as one word of a shell, printable.
 std::string as_word(const std::string& text) {
   const auto is_plain = [](unsigned char c) {
     return std::isalnum(c) != 0 || std::strchr("/._-", c) != nullptr;
   };
   if (std::all_of(text.begin(), text.end(), is_plain)) return text;
-  std::string word = "'";
-  for (const char c : text) word += c == '\'' ? "'\\''" : std::string(1, c);
-  return word + "'";
+  std::string word;
+  if (printable(text) == text) {
+    for (const char c : text) word += c == '\'' ? "'\\''" : std::string(1, c);
+    return "'" + word + "'";
+  }
+  for (const char c : text) {
+    word += is_plain(static_cast<unsigned char>(c)) ? std::string(1, c)
+                                                    : fmt::format("\\x{:02X}", static_cast<std::uint8_t>(c));
+  }
+  return "$'" + word + "'";
 }
 
 /// The exponent of the waves: in the middle of those asked for.
@@ -204,7 +213,7 @@ void run(const options& asked) {
   const std::vector<port> ports = chosen.of().ports(chosen);
   const std::string wave_name = chosen.of().identifier() + ".vcd";
   // Opened first, so that none is written if one cannot be.
-  output_file waves(place(wave_name), ".part.vcd");
+  output_file waves(place(wave_name), ".vcd");
   output_file report(place("report.md"));
   output_file sheet_file(place("sphere.png"));
   std::vector<std::unique_ptr<output_file>> picture_files;
@@ -253,19 +262,15 @@ void run(const options& asked) {
 
   for (const outcome& o : outcomes) fmt::print("n = {:4}   NMSE to Blinn {:.3e}\n", o.n, o.nmse_blinn);
   for (const std::string& file : {std::string("sphere.png"), std::string("report.md"), wave_name}) {
-    fmt::print("{}\n", place(file));
+    fmt::print("{}\n", printable(place(file)));
   }
   fmt::print("see the waves with: scripts/wave {}\n", as_word(place(wave_name)));
 }
 
-}  // namespace
-
-int sc_main(int, char**) {
-  return 0;
-}
-
-int main(int argc, char** argv) {
+int run(int argc, char** argv) {
   sc_core::sc_report_handler::set_actions(sc_core::SC_INFO, sc_core::SC_DO_NOTHING);
+  // Waves of nothing are nothing to warn of: a run that fails before its first write has its own message.
+  sc_core::sc_report_handler::set_actions(sc_core::SC_ID_TRACING_CLOSE_EMPTY_FILE_, sc_core::SC_DO_NOTHING);
   options asked;
   CLI::App program{"A lit sphere whose highlight the SystemC device computes: pictures, waves, report",
                    "sphere"};
@@ -280,15 +285,21 @@ int main(int argc, char** argv) {
   program.add_option("--side", asked.side, "pixels")->check(CLI::Range(16, 4096))->capture_default_str();
   try {
     program.parse(argc, argv);
-    run(asked);
   } catch (const CLI::Success& success) {
     return program.exit(success);
   } catch (const CLI::Error& error) {
-    fmt::print(stderr, "sphere: {}, see sphere --help\n", error.what());
-    return 2;
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "sphere: {}\n", error.what());
-    return 2;
+    throw usage_error(fmt::format("{}, see sphere --help", error.what()));
   }
+  run(asked);
   return 0;
+}
+
+}  // namespace
+
+int sc_main(int, char**) {
+  return 0;
+}
+
+int main(int argc, char** argv) {
+  return blysk::run_program("sphere", [&] { return run(argc, argv); });
 }

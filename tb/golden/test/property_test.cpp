@@ -84,11 +84,11 @@ TEMPLATE_TEST_CASE("every lobe keeps its bound and rises with the cosine", "[sta
         pair_below(static_cast<TestType>(*cosines(n)), static_cast<TestType>(*cosines(n)));
     for (const auto& [which, name] : kLobes) {
       // The parabola falls before it rises; cut at 0, as everywhere but in the formula itself, it does not.
-      const auto value = [&, which = which](const auto& c) {
+      const auto value = [&, each = which](const auto& c) {
         using real = std::decay_t<decltype(c)>;
         using std::max;
-        const real f = evaluate(which, real(n), c);
-        return is_parabola(which) ? real(max(f, real(0))) : f;
+        const real f = evaluate(each, real(n), c);
+        return is_parabola(each) ? real(max(f, real(0))) : f;
       };
       if (!bounded_and_rising(value, low, high)) RC_FAIL(std::string(name));
       const TestType peak = evaluate(which, n, TestType(1));

@@ -206,9 +206,9 @@ TEMPLATE_TEST_CASE("every lobe lights every position within its bound, finite an
     for (const int n : {1, 2, 1000}) {
       CAPTURE(name, n);
       check_everywhere<TestType>(
-          [which = which, n](auto number, const auto& normal, const auto& light, const auto& view) {
+          [each = which, n](auto number, const auto& normal, const auto& light, const auto& view) {
             using real = decltype(number);
-            return half_vector_shading(which, converted<real>(kLamp<TestType>), real(n), normal, light, view);
+            return half_vector_shading(each, converted<real>(kLamp<TestType>), real(n), normal, light, view);
           });
     }
   }
