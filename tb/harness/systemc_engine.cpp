@@ -191,7 +191,7 @@ bool ends_at(const std::string& vcd, double now_ps) {
   const auto stamp = tail.rfind("\n#");
   if (!tail.ends_with('\n')) return false;
   // The values at 0 stand in $dumpvars, without a time.
-  if (stamp == std::string::npos) return now_ps == 0 && tail.find("\n$end\n") != std::string::npos;
+  if (stamp == std::string::npos) return now_ps <= 1 && tail.find("$dumpvars") != std::string::npos;
   return std::strtod(tail.c_str() + stamp + 2, nullptr) + kClockPeriodNs * 1e3 >= now_ps;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tb/golden/claims/speed.h"
+#include "tb/claims/speed.h"
 
 #include <fstream>
 #include <stdexcept>

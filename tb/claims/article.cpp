@@ -3,9 +3,9 @@
 #include <array>
 #include <cmath>
 
+#include "tb/claims/claim.h"
+#include "tb/claims/sweep.h"
 #include "tb/golden/angle.h"
-#include "tb/golden/claims/claim.h"
-#include "tb/golden/claims/sweep.h"
 
 namespace blysk::golden {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tb/golden/claims/claim.h"
+#include "tb/claims/claim.h"
 
 #include <algorithm>
 #include <cmath>

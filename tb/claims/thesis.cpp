@@ -4,12 +4,12 @@
 #include <cmath>
 #include <functional>
 
-#include "tb/golden/claims/claim.h"
-#include "tb/golden/claims/pictures.h"
-#include "tb/golden/claims/speed.h"
-#include "tb/golden/claims/sweep.h"
-#include "tb/golden/claims/table_form.h"
-#include "tb/golden/claims/thesis_arithmetic.h"
+#include "tb/claims/claim.h"
+#include "tb/claims/pictures.h"
+#include "tb/claims/speed.h"
+#include "tb/claims/sweep.h"
+#include "tb/claims/table_form.h"
+#include "tb/claims/thesis_arithmetic.h"
 
 namespace blysk::golden {
 namespace {

@@ -2,8 +2,8 @@
 // [P]: patent UA 60553.
 #include <cmath>
 
-#include "tb/golden/claims/claim.h"
-#include "tb/golden/claims/sweep.h"
+#include "tb/claims/claim.h"
+#include "tb/claims/sweep.h"
 
 namespace blysk::golden {
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tb/golden/claims/pictures.h"
+#include "tb/claims/pictures.h"
 
 #include <algorithm>
 #include <map>
 #include <vector>
 
-#include "tb/golden/claims/claim.h"
-#include "tb/golden/claims/table_form.h"
+#include "tb/claims/claim.h"
+#include "tb/claims/table_form.h"
 
 namespace blysk::golden {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "tb/golden/claims/claim.h"
+#include "tb/claims/claim.h"
 
 namespace blysk::golden {
 

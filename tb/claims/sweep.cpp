@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tb/golden/claims/sweep.h"
+#include "tb/claims/sweep.h"
 
 #include <map>
 
+#include "tb/claims/claim.h"
 #include "tb/golden/angle.h"
-#include "tb/golden/claims/claim.h"
 
 namespace blysk::golden {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tb/golden/claims/slopes.h"
+#include "tb/claims/slopes.h"
 
 #include <algorithm>
 #include <boost/math/tools/minima.hpp>

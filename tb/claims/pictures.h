@@ -5,7 +5,7 @@
 #include <array>
 #include <string_view>
 
-#include "tb/golden/claims/sweep.h"
+#include "tb/claims/sweep.h"
 #include "tb/golden/sphere.h"
 
 namespace blysk::golden {

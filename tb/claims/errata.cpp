@@ -5,9 +5,9 @@
 #include <map>
 #include <stdexcept>
 
+#include "tb/claims/claim.h"
+#include "tb/claims/sweep.h"
 #include "tb/golden/angle.h"
-#include "tb/golden/claims/claim.h"
-#include "tb/golden/claims/sweep.h"
 #include "tb/golden/registry.h"
 #include "tb/golden/scene.h"
 #include "tb/golden/shift_division.h"

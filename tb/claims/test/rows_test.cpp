@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "tb/catch.h"
-#include "tb/golden/claims/claim.h"
+#include "tb/claims/claim.h"
 #include "tb/golden/registry.h"
 #include "tb/golden/scene.h"
 

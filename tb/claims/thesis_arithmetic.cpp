@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tb/golden/claims/thesis_arithmetic.h"
+#include "tb/claims/thesis_arithmetic.h"
 
 #include <algorithm>
 #include <array>

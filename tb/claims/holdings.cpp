@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 
-#include "tb/golden/claims/claim.h"
+#include "tb/claims/claim.h"
 
 namespace blysk::golden {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What turns measurements into verdicts.
-#include "tb/golden/claims/claim.h"
+#include "tb/claims/claim.h"
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tb/golden/claims/table_form.h"
+#include "tb/claims/table_form.h"
 
 #include <algorithm>
 #include <boost/math/tools/roots.hpp>

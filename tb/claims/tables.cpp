@@ -4,10 +4,10 @@
 #include <cmath>
 #include <functional>
 
+#include "tb/claims/claim.h"
+#include "tb/claims/slopes.h"
+#include "tb/claims/sweep.h"
 #include "tb/golden/angle.h"
-#include "tb/golden/claims/claim.h"
-#include "tb/golden/claims/slopes.h"
-#include "tb/golden/claims/sweep.h"
 #include "tb/golden/hard_forms.h"
 #include "tb/golden/scene.h"
 

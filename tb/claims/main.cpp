@@ -7,7 +7,7 @@
 #include <iostream>
 #include <sstream>
 
-#include "tb/golden/claims/claim.h"
+#include "tb/claims/claim.h"
 
 namespace {
 
