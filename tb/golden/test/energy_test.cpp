@@ -42,6 +42,54 @@ TEST_CASE("reflectance at normal incidence has closed forms", "[golden][energy]"
   }
 }
 
+TEST_CASE("a perfect diffuser around the mirror direction needs the angles beyond 90 degrees",
+          "[golden][energy]") {
+  const auto lambertian = [](double) { return 1 / kPi; };
+  for (const double degrees : {0.0, 15.0, 45.0, 60.0, 80.0, 89.0}) {
+    CAPTURE(degrees);
+    const double incidence = degrees * kPi / 180;
+    const double beyond = reflectance_beyond(lambertian, incidence);
+    CHECK(std::abs(reflectance(lambertian, lobe_axis::mirror, incidence, kPi / 2) + beyond - 1) <
+          2 * kQuadrature);
+    CHECK((beyond > 0) == (degrees > 0));
+  }
+}
+
+TEST_CASE("three readings of a lobe beyond 90 degrees from the mirror direction", "[golden][energy]") {
+  // lyon-8 at n = 1 and 80 degrees, (1 - (1 - c)/8)^8, by the outgoing ray itself: midpoints over both of its angles,
+  // in place of rings around the mirror direction.
+  const double incidence = 80 * kPi / 180;
+  constexpr int kSteps = 1600;
+  double dark = 0;
+  double clipped = 0;
+  double formula = 0;
+  for (int i = 0; i < kSteps; ++i) {
+    const double square = (i + 0.5) / kSteps;  // sin^2(theta): its step is 2 cos(theta) sin(theta) d theta
+    for (int j = 0; j < kSteps; ++j) {
+      const double phi = (j + 0.5) / kSteps * kPi;
+      const double c = std::sqrt(square) * std::cos(phi) * std::sin(incidence) +
+                       std::sqrt(1 - square) * std::cos(incidence);
+      dark += c > 0 ? std::pow((7 + c) / 8, 8) : 0;
+      clipped += std::pow((7 + std::max(c, 0.0)) / 8, 8);
+      formula += std::pow((7 + c) / 8, 8);
+    }
+  }
+  const double cell = kPi / kSteps / kSteps;
+  const auto f = [](double alpha) { return lyon<8>(1.0, std::cos(alpha)); };
+  const double half = reflectance(f, lobe_axis::mirror, incidence, kPi / 2);
+  const double at_right_angle = f(kPi / 2);
+  const double by_formula = half + reflectance_beyond(f, incidence);
+  const double by_clipping = half + reflectance_beyond([=](double) { return at_right_angle; }, incidence);
+  // Midpoints: the smooth integrands to their square, 1/kSteps^2; the step at 90 degrees crosses kSteps cells or so,
+  // whose errors, at most f(pi/2) each, have no common sign.
+  CHECK(std::abs(half - dark * cell) < at_right_angle * kPi / kSteps);
+  CHECK(std::abs(by_clipping - clipped * cell) < 10.0 / kSteps / kSteps);
+  CHECK(std::abs(by_formula - formula * cell) < 10.0 / kSteps / kSteps);
+  CHECK(std::abs(half - 1.102) < 5e-4);
+  CHECK(std::abs(by_clipping - 1.548) < 5e-4);
+  CHECK(std::abs(by_formula - 1.398) < 5e-4);
+}
+
 TEST_CASE("the exact coefficient normalises the integral it comes from", "[golden][energy]") {
   for (const double q : {0.1, 0.5, 0.9}) {
     for (const double k : {1.0, 5.0}) {
