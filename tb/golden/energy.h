@@ -17,8 +17,8 @@ enum class lobe_axis {
 };
 
 /// What a lobe is beyond 90 degrees from the mirror direction, where its cosine is negative and oblique light still
-/// leaves the surface. The half vector never gets there. A lobe that is 0 at 90 degrees is so beyond in each reading,
-/// as far as its formula has a value there at all.
+/// leaves the surface. The half vector never gets there. It matters for lobes that are not 0 at 90 degrees: the
+/// cosine-quadratic below n = 2, lyon-K below n = K, the angle-based lobe below n = k.
 enum class beyond_right_angle {
   dark,     ///< 0, as Phong's max(0, R . V)^n: what `reflectance` takes
   clipped,  ///< its value at 90 degrees: a device that is given the cosine cut to [0, 1]

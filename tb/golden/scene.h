@@ -188,6 +188,14 @@ Real shadowing(const Real& nh, const Real& vh, const Real& nl, const Real& nv) {
   return min(Real(1 / nv), min(slope, Real(slope * nl / nv)));
 }
 
+/// R_s = F D G / (N . V) from the cosines of its angles.   [T] (1.4)
+/// \param nh, vh, nl, nv  N.H, V.H, N.L, N.V, each in (0, 1]
+template <class Real>
+Real cook_torrance_of_cosines(facet_distribution distribution, const Real& m, const Real& index,
+                              const Real& nh, const Real& vh, const Real& nl, const Real& nv) {
+  return fresnel(vh, index) * facets(distribution, nh, m) * shadowing(nh, vh, nl, nv);
+}
+
 /// R_s = F D G / (N . V).   [T] (1.4)
 /// \return  >= 0; 0 where light or view is behind the surface
 template <class Real>
@@ -200,7 +208,7 @@ Real cook_torrance(facet_distribution distribution, const Real& m, const Real& i
   if (!(nh > 0 && vh > 0)) return Real(0);
   const Real nv = dot(normal, view);
   const Real nl = dot(normal, light);
-  return fresnel(vh, index) * facets(distribution, nh, m) * shadowing(nh, vh, nl, nv);
+  return cook_torrance_of_cosines(distribution, m, index, nh, vh, nl, nv);
 }
 
 /// R = s R_s + d R_d with d = 1 - s and, by Lambert's law, R_d = max(0, N . L).   [T] (1.3)

@@ -39,7 +39,7 @@ TEST_CASE("every promised name is served, once", "[golden]") {
                           "angle-coef-exact", "angle-coef-fitted", "lyon-2", "lyon-4", "lyon-8", "gx"})
     CHECK(names.contains(name));
   for (const auto& row : kLobes) CHECK(names.contains(row.name));
-  CHECK(find_model("phong") == nullptr);
+  CHECK(find_model("ward") == nullptr);
 }
 
 TEST_CASE("values worked out by hand", "[golden]") {
