@@ -5,6 +5,7 @@
 /// q the value of cos^n at which both meet, (0, 1); x the angle from the lobe's axis, rad, [0, pi/2].
 #pragma once
 
+#include <algorithm>
 #include <boost/math/quadrature/tanh_sinh.hpp>
 #include <cmath>
 #include <span>
@@ -68,37 +69,27 @@ void angle_lobe(float n, float k, float q, std::span<const float> angles, std::s
 
 /// integral from 0 to `end` of cos^k(y) sin(2 y / scale) dy, `end` in [0, pi/2], by tanh-sinh quadrature: its nodes
 /// crowd at both ends, where cos^k is singular for k that is not whole (pi/2) and where it is narrow for large k (0).
-/// The cosine in the upper half is the sine of the distance from pi/2, or the node would round it away.
-/// \param rest  pi/2 - end
 template <class Real>
-Real angle_moment(const Real& k, const Real& scale, const Real& end, const Real& rest) {
-  using std::pow;
+Real angle_moment(const Real& k, const Real& scale, const Real& end) {
   using std::sin;
   static boost::math::quadrature::tanh_sinh<Real> rule;  // finds its nodes once; it locks while it adds some
-  // `before_end` is end - y in the upper half of the interval, and not above 0 in the lower one.
-  const auto integrand = [&](const Real& y, const Real& before_end) {
-    const Real power =
-        before_end > 0 ? Real(pow(Real(sin(Real(rest + before_end))), k)) : angle_lobe_scaled(k, y);
-    return Real(power * sin(Real(2 * y / scale)));
-  };
-  return rule.integrate(integrand, Real(0), end);
+  return rule.integrate(
+      [&](const Real& y) { return Real(angle_lobe_scaled(k, y) * sin(Real(2 * y / scale))); }, Real(0), end);
 }
 
 /// Int = integral from 0 to `limit` of cos^k(angle_scale x) cos x sin x dx, `limit` <= angle_limit.   [A]
 template <class Real>
 Real angle_integral(const Real& n, const Real& k, const Real& q, const Real& limit) {
+  using std::min;
   const Real scale = angle_scale(n, k, q);
-  const Real quarter = pi<Real>() / 2;
-  const Real end = scale * limit;
-  if (end >= quarter) return angle_moment(k, scale, quarter, Real(0)) / (2 * scale);
-  return angle_moment(k, scale, end, Real(quarter - end)) / (2 * scale);
+  return angle_moment(k, scale, min(Real(scale * limit), Real(pi<Real>() / 2))) / (2 * scale);
 }
 
 /// 1 / (2 pi Int), Int up to angle_limit as [A] has it, even where that passes pi/2.   [A]
 template <class Real>
 Real angle_coefficient_exact(const Real& n, const Real& k, const Real& q) {
   const Real scale = angle_scale(n, k, q);
-  return scale / (pi<Real>() * angle_moment(k, scale, Real(pi<Real>() / 2), Real(0)));
+  return scale / (pi<Real>() * angle_moment(k, scale, Real(pi<Real>() / 2)));
 }
 
 /// Fitted normalisation, one formula for q in [0.1, 0.4], another for q in [0.5, 0.9].   [A]

@@ -319,7 +319,7 @@ TEMPLATE_TEST_CASE("the exact normalisation keeps its bound, whole k or not", "[
         const auto scale = static_cast<double>(angle_scale(referee(n), referee(k), referee(q)));
         const auto coef_at = [&](double factor) {
           return scale * factor /
-                 angle_moment(double{k}, scale * factor, boost::math::constants::half_pi<double>(), 0.0);
+                 angle_moment(double{k}, scale * factor, boost::math::constants::half_pi<double>());
         };
         const double h = 1e-4;
         const double condition = std::abs((coef_at(1 + h) - coef_at(1 - h)) / (2 * h) / coef_at(1));
