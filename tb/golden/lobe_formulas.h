@@ -51,7 +51,7 @@ Real versine(const Real& y) {
 }
 
 /// cos^a x / (n - n cos x + cos x), the form of [T] table 3.2 and section 3.4; its a is given nowhere.
-/// In [0, 1] for a >= 1; above 1 beside the peak for a < 1.
+/// In [0, 1].
 /// \param a  power of the cosine, >= 0
 template <class Real>
 Real schlick_power(const Real& n, const Real& a, const Real& c) {

@@ -7,6 +7,7 @@
 #include "tb/catch.h"
 #include "tb/golden/angle.h"
 #include "tb/golden/errors.h"
+#include "tb/golden/reflectance.h"
 #include "tb/golden/shift_division.h"
 #include "tb/golden/sphere.h"
 
@@ -114,6 +115,35 @@ TEST_CASE("the energy factors are what their bound says", "[golden][energy]") {
   }
 }
 
+TEST_CASE("the energy factors' branches and limits are those of docs/numerics.md", "[golden][energy]") {
+  // Both branches of the parabola's factor meet at a = 1: 3/(8 pi), slopes 3/(16 pi).
+  const double h = 0x1p-20;
+  const auto factor = [](double a) { return quadratic_energy_factor(a); };
+  CHECK(std::abs(factor(1) - 3 / (8 * kPi)) < 4 * 0x1p-53);
+  // A one-sided difference is off by h/2 times the second derivative, below 1, and 2^-53 / h.
+  CHECK(std::abs((factor(1) - factor(1 - h)) / h - 3 / (16 * kPi)) < h);
+  CHECK(std::abs((factor(1 + h) - factor(1)) / h - 3 / (16 * kPi)) < h);
+  // The cosine-quadratic's integral over c is 1/(n + 1) from n = 2 on, and less below.
+  using quadrature = boost::math::quadrature::gauss_kronrod<double, 31>;
+  for (const double n : {1.0, 1.5, 1.99, 2.0, 7.0, 1000.0}) {
+    const double root = std::max(0.0, 1 - 3 / (n + 1));
+    const double integral =
+        quadrature::integrate([n](double c) { return cosine_quadratic(n, c); }, root, 1.0);
+    CAPTURE(n);
+    if (n < 2) {
+      CHECK(integral < 1 / (n + 1) - 1e-9);
+    } else {
+      CHECK(std::abs(integral * (n + 1) - 1) < 64 * n * 0x1p-53);
+    }
+  }
+  // How close the bounds are, in the digits that the page states.
+  const auto r = [](lobe which, double n) { return lobe_reflectance(which, n, lobe_axis::half_vector, 0); };
+  CHECK(std::abs(r(lobe::quadratic_energy_safe, 1000) - 0.998) < 5e-4);
+  CHECK(std::abs(r(lobe::cosine_quadratic_energy_safe, 1000) - 0.996) < 5e-4);
+  CHECK(std::abs(r(lobe::quadratic_energy_safe, 1) - 0.25) < 5e-3);
+  CHECK(std::abs(r(lobe::cosine_quadratic_energy_safe, 1) - 0.22) < 5e-3);
+}
+
 TEST_CASE("the largest error of a known function is found where it lies", "[golden][errors]") {
   const auto bump = [](double c) { return 1 - 1e6 * (c - 0.9912) * (c - 0.9912); };
   const peak found = largest(bump, 300, 0, 1);
@@ -157,6 +187,17 @@ TEST_CASE("the sphere is round, faces the viewer and peaks where the normal is t
   const auto picture = shade_sphere(scene, {1, 1, 0, 0, 1}, lobe::blinn, 100);
   const auto brightest = static_cast<std::size_t>(std::ranges::max_element(picture) - picture.begin());
   const auto half_vec = half_vector(scene.light, scene.view);
+  // Rows run downwards and columns to the right: the light comes from above on the right.
+  CHECK(pixels[brightest].y < scene.side / 2);
+  CHECK(pixels[brightest].x >= scene.side / 2);
+  for (const auto& pixel : pixels) {
+    REQUIRE((pixel.normal.y > 0) == (pixel.y < scene.side / 2));
+    REQUIRE((pixel.normal.x > 0) == (pixel.x >= scene.side / 2));
+  }
+  // The picture's middle, half a pixel off the axis, and its radius, 0.9 of half a side.
+  CHECK(std::abs(pixels[pixels.size() / 2].normal.z - 1) < 2.0 / scene.side);
+  CHECK(pixels.front().y == 3);  // (1 - 0.9) 64 / 2 = 3.2: the row whose centre is 3.5 pixels down
+  CHECK(pixels.back().y == 60);
   // No normal is nearer to the half vector than that of the brightest pixel.
   for (const auto& pixel : pixels) {
     REQUIRE(dot(pixel.normal, half_vec) <= dot(pixels[brightest].normal, half_vec));

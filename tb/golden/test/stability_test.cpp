@@ -256,10 +256,23 @@ TEMPLATE_TEST_CASE("the coefficient keeps its bound on each line", "[stability]"
   CHECK(exact_coefficient(TestType(1)) == 0);
 }
 
+TEST_CASE("the derived line is the expansion of the exact coefficient", "[stability]") {
+  const referee slope = coefficient_slope<referee>();
+  for (int n = 2; n <= 1000000; n *= 2) {
+    CAPTURE(n);
+    CHECK(abs(exact_coefficient(referee(n)) - coefficient(coefficient_line::derived, referee(n))) <
+          referee(1) / n);
+  }
+  CHECK(abs(slope - referee("0.786938680574733")) < referee("5e-16"));
+}
+
 TEST_CASE("a graceful underflow: c^n below the smallest normal number", "[stability]") {
   CHECK(blinn(1000.0F, 0.5F) == 0.0F);
   CHECK(blinn(1000.0, 0.5) == std::ldexp(1.0, -1000));
   CHECK(blinn(140.0F, 0.5F) == std::ldexp(1.0F, -140));  // subnormal in single precision
+  // docs/numerics.md: c < 0.9163 at n = 1000.
+  CHECK(blinn(1000.0F, 0.9162F) < std::numeric_limits<float>::min());
+  CHECK(blinn(1000.0F, 0.9164F) > std::numeric_limits<float>::min());
 }
 
 TEMPLATE_TEST_CASE("the angle of a level keeps its bound", "[stability]", float, double) {
