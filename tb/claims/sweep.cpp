@@ -72,46 +72,4 @@ worst worst_whole(lobe which, int last) {
   return worst_over(1, last, [&](int n) { return errors[static_cast<std::size_t>(n) - 1].whole.value; });
 }
 
-double root_cosine(lobe which, double n) {
-  const auto parabola = [n](coefficient_line line) { return 1 - 1 / coefficient(line, n); };
-  switch (which) {
-    case lobe::quadratic_exact:
-      return parabola(coefficient_line::exact);
-    case lobe::quadratic_published:
-      return parabola(coefficient_line::published);
-    case lobe::quadratic_derived:
-    case lobe::quadratic_energy_safe:
-      return parabola(coefficient_line::derived);
-    case lobe::cosine_quadratic:
-    case lobe::cosine_quadratic_energy:
-    case lobe::cosine_quadratic_energy_safe:
-      return 1 - 3 / (n + 1);
-    case lobe::lyon_2:
-      return 1 - 2 / n;
-    case lobe::lyon_4:
-      return 1 - 4 / n;
-    case lobe::lyon_8:
-      return 1 - 8 / n;
-    case lobe::rational:
-      return 1 - 1 / rational_lobe<double>(n).r;
-    default:
-      return 0;
-  }
-}
-
-double lobe_reflectance(lobe which, double n, lobe_axis axis, double incidence_degrees) {
-  return reflectance_of_cosine(clamped_lobe(which, n), axis,
-                               incidence_degrees * boost::math::constants::degree<double>(),
-                               root_cosine(which, n));
-}
-
-double angle_reflectance(double n, double k, double q, double coefficient, lobe_axis axis,
-                         double incidence_degrees) {
-  const double limit = angle_limit(n, k, q);
-  const double scale = angle_scale(n, k, q);
-  return coefficient * reflectance([&](double x) { return angle_lobe_scaled(k, scale * x); }, axis,
-                                   incidence_degrees * boost::math::constants::degree<double>(),
-                                   std::min(limit, boost::math::constants::half_pi<double>()));
-}
-
 }  // namespace blysk::golden

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "tb/golden/energy.h"
 #include "tb/golden/errors.h"
+#include "tb/golden/reflectance.h"
 
 namespace blysk::golden {
 
@@ -77,15 +77,5 @@ int first_exponent(epicentre where);
 worst worst_relative(lobe which, epicentre where, int last = kMaxExponent);
 worst worst_absolute(lobe which, epicentre where, int last = kMaxExponent);
 worst worst_whole(lobe which, int last = kMaxExponent);
-
-/// Cosine at which a lobe ends or has a kink, 0 if nowhere in [0, 1].
-double root_cosine(lobe which, double n);
-
-/// R of a lobe, negative values set to zero.
-double lobe_reflectance(lobe which, double n, lobe_axis axis, double incidence_degrees);
-
-/// R of the angle-based lobe times `coefficient`; what passes 90 degrees is cut off.
-double angle_reflectance(double n, double k, double q, double coefficient, lobe_axis axis,
-                         double incidence_degrees);
 
 }  // namespace blysk::golden

@@ -145,29 +145,6 @@ std::string heading(lobe_axis axis) {
   return axis == lobe_axis::half_vector ? "Angle to the half vector" : "Angle to the mirror direction";
 }
 
-/// R = integral of F D G d omega_o, as R_s has N.V in its divisor and R the cosine of the outgoing ray; by half vectors,
-/// d omega_o = 4 (o.h) d omega_h.
-double cook_torrance_reflectance(facet_distribution distribution, double m, double degrees) {
-  constexpr double kIndex = 1.5;
-  constexpr double kPi = boost::math::constants::pi<double>();
-  using quadrature = boost::math::quadrature::gauss_kronrod<double, 31>;
-  const double incidence = degrees * boost::math::constants::degree<double>();
-  const vec3<double> normal{0, 0, 1};
-  const vec3<double> light{std::sin(incidence), 0, std::cos(incidence)};
-  const auto ring = [&](double alpha) {
-    const auto point = [&](double phi) {
-      const vec3<double> half{std::sin(alpha) * std::cos(phi), std::sin(alpha) * std::sin(phi),
-                              std::cos(alpha)};
-      const vec3<double> view = mirror_direction(half, light);
-      const double oh = dot(light, half);
-      if (!(view.z > 0 && oh > 0)) return 0.0;
-      return cook_torrance(distribution, m, kIndex, normal, light, view) * view.z * 4 * oh * std::sin(alpha);
-    };
-    return 2 * quadrature::integrate(point, 0.0, kPi, 5, 1e-7);
-  };
-  return quadrature::integrate(ring, 0.0, kPi / 2, 8, 1e-7);
-}
-
 std::string cook_torrance_table() {
   std::vector<std::vector<std::string>> rows{{"D", "m"}};
   for (const double degrees : kIncidences) rows.front().push_back("at " + number(degrees));
@@ -175,7 +152,30 @@ std::string cook_torrance_table() {
     for (const double m : {0.1, 0.2, 0.3, 0.5, 1.0}) {
       rows.push_back({distribution == facet_distribution::gaussian ? "Gaussian" : "Beckmann", number(m)});
       for (const double degrees : kIncidences)
-        rows.back().push_back(number(cook_torrance_reflectance(distribution, m, degrees), 3));
+        rows.back().push_back(number(cook_torrance_reflectance(distribution, m, 1.5, degrees), 3));
+    }
+  }
+  return markdown(rows);
+}
+
+/// Around the mirror direction: what lies beyond 90 degrees, for lobes that are not 0 there.
+std::string beyond_table() {
+  std::vector<std::vector<std::string>> rows{{"lobe", "n"}};
+  for (const double degrees : kIncidences) {
+    if (degrees > 0) rows.front().push_back("at " + number(degrees) + ": dark, clipped, formula");
+  }
+  const std::pair<lobe, int> cases[] = {{lobe::cosine_quadratic, 1}, {lobe::lyon_2, 1}, {lobe::lyon_4, 1},
+                                        {lobe::lyon_4, 2},           {lobe::lyon_8, 1}, {lobe::lyon_8, 2},
+                                        {lobe::lyon_8, 4},           {lobe::lyon_8, 7}};
+  for (const auto& [which, n] : cases) {
+    rows.push_back({std::string(name_of(which)), std::to_string(n)});
+    for (const double degrees : kIncidences) {
+      if (!(degrees > 0)) continue;
+      std::string cell;
+      for (const auto beyond :
+           {beyond_right_angle::dark, beyond_right_angle::clipped, beyond_right_angle::formula})
+        append(cell, ", ", number(lobe_reflectance(which, n, beyond, degrees), 4));
+      rows.back().push_back(cell);
     }
   }
   return markdown(rows);
@@ -221,6 +221,16 @@ std::vector<table> energy_tables() {
     }
     text += markdown(rows);
   }
+  text +=
+      "\n## Beyond 90 degrees from the mirror direction\n\nOblique light leaves the surface beyond 90 "
+      "degrees "
+      "from its mirror direction too, where the lobe's cosine is negative. The table above has every lobe "
+      "dark "
+      "there, as Phong's max(0, R.V)^n is. That matters for a lobe that is not 0 at 90 degrees: "
+      "`cosine-quadratic` below n = 2 and `lyon-K` below n = K. R for such lobes in three readings: dark; "
+      "the "
+      "cosine clipped to 0, as a device gets it; the formula at the negative cosine.\n\n" +
+      beyond_table();
   text +=
       "\n## Cook-Torrance, R_s = F D G/(N.V), index 1.5\n\nAs [T] (1.4) has it, without the pi (N.L) of Cook "
       "and Torrance's "
