@@ -24,6 +24,11 @@ nlohmann::ordered_json listing() {
       for (const port& of : of_role(ports, role)) names.push_back(of.column);
       return names;
     };
+    json rom_bits;
+    for (const auto format : format_names) {
+      const selection asked = choose(each->name(), std::string(format));
+      rom_bits[std::string(format)] = each->rom_bits(asked);
+    }
     json options = json::array();
     for (const option& of : each->options()) {
       options.push_back({{"name", of.name},
@@ -38,6 +43,7 @@ nlohmann::ordered_json listing() {
                                  {"source", each->source()},
                                  {"stimulus", columns(port::role::data)},
                                  {"results", columns(port::role::result)},
+                                 {"rom_bits", rom_bits},
                                  {"options", options}});
   }
   listed["formats"] = format_names;

@@ -66,7 +66,8 @@ class host : public sc_core::sc_module {
     in_ = &in;
     out_ = &out;
     next_ = 0;
-    start(2 * (in.size() + 1));
+    waits_ = 0;
+    start((2 + settling_cycles()) * (in.size() + 1));
     in_ = nullptr;
     writes_ += in.size() + 1;
   }
@@ -94,7 +95,12 @@ class host : public sc_core::sc_module {
   void drive() {
     if (in_ == nullptr) return;
     const channel& confirming = trailing_.front();
-    if (confirming.strobe->read() == 0) {
+    if (waits_ > 0) {  // the outputs have not settled
+      --waits_;
+      for (const channel& each : level_) {
+        if (each.strobe->read() != 0) each.strobe->write(0);
+      }
+    } else if (confirming.strobe->read() == 0) {
       confirming.strobe->write(1);
       for (const channel& each : level_) {
         if (each.strobe->read() != 0) each.strobe->write(0);
@@ -106,8 +112,11 @@ class host : public sc_core::sc_module {
         for (const channel& each : level_) put(each, (*in_)[each.column].get(next_));
       }
       ++next_;
+      waits_ = settling_cycles();
     }
   }
+
+  std::uint64_t settling_cycles() const { return static_cast<std::uint64_t>(valid_->what.settling_cycles); }
 
   // A register that holds the value already is not written again.
   static void put(const channel& to, std::int64_t value) {
@@ -129,6 +138,7 @@ class host : public sc_core::sc_module {
   const columns* in_ = nullptr;
   columns* out_ = nullptr;
   std::size_t next_ = 0;
+  std::uint64_t waits_ = 0;
   std::uint64_t cycles_ = 0;
   std::uint64_t writes_ = 0;
 };
