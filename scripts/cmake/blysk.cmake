@@ -7,6 +7,10 @@ target_compile_options(blysk_options INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion
   $<$<BOOL:${BLYSK_WERROR}>:-Werror>)
 
+# A compiler that looks at a source of the project, for tests of what must not compile.
+set(blysk_compiler ${CMAKE_CXX_COMPILER} -std=c++20 -fsyntax-only -I${PROJECT_SOURCE_DIR}
+                   -isystem $<TARGET_PROPERTY:SystemC::systemc,INTERFACE_INCLUDE_DIRECTORIES>)
+
 list(APPEND CMAKE_MODULE_PATH ${Catch2_DIR})
 include(Catch)
 
