@@ -7,6 +7,10 @@ target_compile_options(blysk_options INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion
   $<$<BOOL:${BLYSK_WERROR}>:-Werror>)
 
+# A compiler that looks at a source of the project, for tests of what must not compile.
+set(blysk_compiler ${CMAKE_CXX_COMPILER} -std=c++20 -fsyntax-only -I${PROJECT_SOURCE_DIR}
+                   -isystem $<TARGET_PROPERTY:SystemC::systemc,INTERFACE_INCLUDE_DIRECTORIES>)
+
 # Tests see no locale but this one, and no variable that changes what the tools say or where cd goes.
 file(WRITE ${PROJECT_BINARY_DIR}/test_environment.cmake
   "set(ENV{LC_ALL} C.UTF-8)\nunset(ENV{LANGUAGE})\nunset(ENV{CDPATH})\n")

@@ -24,7 +24,7 @@ class parts_list {
   /// \param blocks  a device's blocks(): a tie of its leaf modules
   template <class... Blocks>
   explicit parts_list(const std::tuple<Blocks&...>& blocks) {
-    std::apply([this](const auto&... part) { (add(part), ...); }, blocks);
+    std::apply([this](const auto&... part) { (this->add(part), ...); }, blocks);
   }
 
   /// The block's description, or null for what is no leaf.

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+// The laws with shifts of the moment, at both ends of their integers.
+#include <array>
+#include <limits>
+#include <utility>
+
+#include "rtl_sysc/blocks/law.h"
+#include "rtl_sysc/qformat.h"
+#include "tb/catch.h"
+
+namespace {
+
+using namespace blysk;
+__extension__ typedef __int128 wide;  // NOLINT(modernize-use-using): __extension__ takes no alias
+
+/// floor(x / 2^bits + 1/2)
+constexpr wide rounded(wide x, int bits) {
+  return bits == 0 ? x : (x + (wide{1} << (bits - 1))) >> bits;
+}
+
+template <class T>
+constexpr bool rounds_at_ends(int bits) {
+  // Rounding off one bit needs one more above.
+  const T low = bits == 1 ? std::numeric_limits<T>::min() / 2 : std::numeric_limits<T>::min();
+  const T high = bits == 1 ? std::numeric_limits<T>::max() / 2 : std::numeric_limits<T>::max();
+  for (int i = 0; i < 1024; ++i) {
+    for (const T x : {static_cast<T>(low + i), static_cast<T>(i - 512), static_cast<T>(high - i)}) {
+      if (wide{law::round_off<T>(x, bits)} != rounded(x, bits)) return false;
+    }
+  }
+  return true;
+}
+
+/// At compile time an overflow is an error.
+template <class T, int... Bits>
+constexpr bool rounds_without_overflow(std::integer_sequence<int, Bits...>) {
+  return (rounds_at_ends<T>(Bits) && ...);
+}
+static_assert(rounds_without_overflow<std::int64_t>(std::make_integer_sequence<int, 9>{}));
+static_assert(rounds_without_overflow<std::int32_t>(std::make_integer_sequence<int, 9>{}));
+
+}  // namespace
+
+TEST_CASE("round_off is floor(x / 2^bits + 1/2), ties up, whatever the bits", "[law]") {
+  for (int bits = 0; bits <= 62; ++bits) {
+    CAPTURE(bits);
+    CHECK(rounds_at_ends<std::int64_t>(bits));
+    if (bits <= 30) CHECK(rounds_at_ends<std::int32_t>(bits));
+  }
+  CHECK(law::round_off<std::int64_t>(-3, 1) == -1);
+  CHECK(law::round_off<std::int64_t>(3, 1) == 2);
+  CHECK(law::round_off<std::int64_t>(2, 2) == 1);
+  CHECK(law::round_off<std::int64_t>(-2, 2) == 0);
+}
+
+TEST_CASE("rounds_within says where rounding overflows 64 bits", "[law]") {
+  for (int width = 1; width <= 70; ++width) {
+    const wide largest = (wide{1} << (width - 1)) - 1;
+    for (int bits = 0; bits <= 10; ++bits) {
+      const wide sum = bits == 0 ? largest : (largest >> (bits - 1)) + 1;
+      CAPTURE(width, bits);
+      CHECK(law::rounds_within(width, bits) == (sum <= std::numeric_limits<std::int64_t>::max()));
+    }
+  }
+  CHECK_FALSE(law::rounds_within(8, -1));
+}
+
+TEST_CASE("mul drops what it is told, whatever the integer", "[law]") {
+  for (int dropped = 0; dropped <= 8; ++dropped) {
+    for (int a = -40; a <= 40; ++a) {
+      for (int b = -40; b <= 40; ++b) {
+        CAPTURE(dropped, a, b);
+        REQUIRE(law::mul<std::int64_t>(a, b, dropped) == static_cast<std::int64_t>(rounded(a * b, dropped)));
+        REQUIRE(law::mul<std::int32_t>(a, b, dropped) == static_cast<std::int32_t>(rounded(a * b, dropped)));
+      }
+    }
+  }
+}
+
+TEST_CASE("add and ones_complement move their operands up", "[law]") {
+  for (int shift = 0; shift <= 8; ++shift) {
+    for (int a = -40; a <= 40; ++a) {
+      CAPTURE(shift, a);
+      REQUIRE(law::add<std::int64_t>(a, shift, 3, 0, 1) == (std::int64_t{a} << shift) + 4);
+      REQUIRE(law::add<std::int64_t>(3, 0, a, shift, 0) == (std::int64_t{a} << shift) + 3);
+      REQUIRE(law::ones_complement<std::int64_t>(a, shift) == -(std::int64_t{a} << shift) - 1);
+    }
+  }
+}
+
+TEST_CASE("clamp, select, lookup and trailing_edge", "[law]") {
+  for (int x = -5; x <= 5; ++x) CHECK(law::clamp(x, -2, 3) == (x < -2 ? -2 : x > 3 ? 3 : x));
+  CHECK(law::select(true, 1, 2) == 1);
+  CHECK(law::select(false, 1, 2) == 2);
+  constexpr std::array<std::int64_t, 3> table{7, -8, 9};
+  for (int index = 0; index < 3; ++index)
+    CHECK(law::lookup(table, index) == table.at(static_cast<std::size_t>(index)));
+  CHECK(law::lookup(table, 3) == 0);
+  CHECK(law::lookup(table, -1) == 0);
+  for (const bool now : {false, true}) {
+    for (const bool before : {false, true}) CHECK(law::trailing_edge(now, before) == (before && !now));
+  }
+}

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "tb/catch.h"
+#include "tb/inputs.h"
+
+namespace blysk::test {
+
+/// Two engines that have to agree on every write, value by value.
+class comparison {
+ public:
+  comparison(const selection& asked, std::unique_ptr<engine> tested, std::unique_ptr<engine> reference)
+      : ports_(asked.of().ports(asked)), tested_(std::move(tested)), reference_(std::move(reference)) {}
+
+  void check(const columns& writes) {
+    tested_->run(writes, from_tested_);
+    reference_->run(writes, from_reference_);
+    REQUIRE(from_tested_.size() == writes.size());
+    REQUIRE(from_reference_.size() == writes.size());
+    REQUIRE(from_tested_.width() == from_reference_.width());
+    REQUIRE(from_tested_.width() > 0);
+    writes_ += writes.size();
+    if (from_tested_ == from_reference_) return;
+    // The engines may store their results in integers of other widths.
+    const auto results = of_role(ports_, port::role::result);
+    for (std::size_t row = 0; row < writes.size(); ++row) {
+      for (std::size_t i = 0; i < results.size(); ++i) {
+        if (from_tested_[i].get(row) == from_reference_[i].get(row)) continue;
+        std::string stimulus = column_names(ports_, port::role::data) + " =";
+        for (const column& each : writes) stimulus += " " + std::to_string(each.get(row));
+        CAPTURE(stimulus, results[i].column, from_tested_[i].get(row), from_reference_[i].get(row));
+        FAIL("the engines differ");
+      }
+    }
+  }
+
+  /// Compared so far.
+  std::uint64_t writes() const { return writes_; }
+
+ private:
+  std::vector<port> ports_;
+  std::unique_ptr<engine> tested_, reference_;
+  columns from_tested_, from_reference_;
+  std::uint64_t writes_ = 0;
+};
+
+constexpr std::int64_t kReach = 8;               // codes on either side of every corner
+constexpr std::uint64_t kRandomWrites = 100000;  // seed 60553
+
+/// Every input of a format that has no more than `limit`, of the others the corners and random ones.
+inline void compare(comparison& compared, const selection& asked, std::uint64_t limit) {
+  const auto check = [&](const columns& writes) { compared.check(writes); };
+  const std::uint64_t inputs = input_count(asked);
+  if (inputs <= limit) {
+    for_all_inputs(asked, check);
+    REQUIRE(compared.writes() == inputs);
+    WARN("all inputs, " << inputs);
+    return;
+  }
+  for_corner_inputs(asked, kReach, check);
+  const std::uint64_t corners = compared.writes();
+  REQUIRE(corners > 0);
+  for_random_inputs(asked, kRandomWrites, 60553, check);
+  REQUIRE(compared.writes() == corners + kRandomWrites);
+  WARN(corners << " inputs at corners, " << kRandomWrites << " at random");
+}
+
+}  // namespace blysk::test
