@@ -94,7 +94,8 @@ void play_strobes(verilator_engine& verilog, const selection& asked,
     for (const bool clk : {false, true}) {
       levels[clock] = clk ? 1 : 0;
       verilog.apply(levels);
-      if (!use(levels)) return;
+      const bool is_reset = cycle > 0 || clk;
+      if (is_reset && !use(levels)) return;
     }
   }
 }

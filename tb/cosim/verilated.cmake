@@ -70,7 +70,7 @@ function(blysk_verilated_table target kind)
     string(APPEND functions "std::unique_ptr<verilator_engine> make_${class}();\n")
     string(APPEND entries "    {\"${name}\", make_${class}},\n")
   endwhile()
-  file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/${kind}_table.cpp @ONLY CONTENT [[
+  file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/${target}_${kind}_table.cpp @ONLY CONTENT [[
 // Made by CMake; do not edit.
 #include "tb/cosim/verilated_table.h"
 
@@ -87,5 +87,5 @@ std::span<const verilated_entry> @kind@_table() {
 
 }  // namespace blysk::cosim
 ]])
-  target_sources(${target} PRIVATE ${CMAKE_CURRENT_BINARY_DIR}/${kind}_table.cpp)
+  target_sources(${target} PRIVATE ${CMAKE_CURRENT_BINARY_DIR}/${target}_${kind}_table.cpp)
 endfunction()

@@ -15,8 +15,9 @@ struct verilated_entry {
   std::unique_ptr<verilator_engine> (*make)();
 };
 
-// Both tables are made by CMake (verilated.cmake).
+// The tables are made by CMake (verilated.cmake), the last one for a program of one device and format.
 std::span<const verilated_entry> exported_table();
 std::span<const verilated_entry> reference_table();
+std::span<const verilated_entry> covered_table();
 
 }  // namespace blysk::cosim

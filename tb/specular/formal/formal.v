@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What yosys proves of the exported device: see formal.sh. The device's and the reference's nets of interest have
+// What yosys proves of an exported device: see formal.sh. The device's and the reference's nets of interest have
 // been made ports (expose). ONE is 1.0 of the cosine, a legal input's largest code.
 `default_nettype none
 
@@ -79,7 +79,7 @@ module formal #(
   reference reference (
       .clk(clk), .rst_n(rst_n), .n_i(n_i), .n_we_i(n_we_i), .cos_i(cos_i), .cos_we_i(cos_we_i),
       .r_i(r_i), .r_we_i(r_we_i), .g_i(g_i), .g_we_i(g_we_i), .b_i(b_i), .b_we_i(b_we_i), .valid_o(reference_valid_o),
-      .n(reference_n), .c(reference_c), .red(reference_red), .green(reference_green), .blue(reference_blue),
+      .n(reference_n), .cos_delta(reference_c), .r_ks(reference_red), .g_ks(reference_green), .b_ks(reference_blue),
       .strobe17(reference_strobe17)
   );
 

@@ -13,7 +13,7 @@ module formal_brdf #(
 
   wire [F:0] brdf, reference_brdf;
   device device (.n(n), .cos_delta(cos_delta), .brdf(brdf));
-  reference reference (.n(n), .c(cos_delta), .brdf(reference_brdf));
+  reference reference (.n(n), .cos_delta(cos_delta), .brdf(reference_brdf));
   always @* begin
     assume (n <= 1000 && cos_delta <= ONE);
     assert (brdf == reference_brdf);

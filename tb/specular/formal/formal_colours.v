@@ -12,7 +12,7 @@ module formal_colours #(
 
   wire [F+7:0] r_o, g_o, b_o, reference_r_o, reference_g_o, reference_b_o;
   device device (.brdf(brdf), .r_ks(r_ks), .g_ks(g_ks), .b_ks(b_ks), .r_o(r_o), .g_o(g_o), .b_o(b_o));
-  reference reference (.brdf(brdf), .red(r_ks), .green(g_ks), .blue(b_ks),
+  reference reference (.brdf(brdf), .r_ks(r_ks), .g_ks(g_ks), .b_ks(b_ks),
                        .r_o(reference_r_o), .g_o(reference_g_o), .b_o(reference_b_o));
   always @* assert (r_o == reference_r_o && g_o == reference_g_o && b_o == reference_b_o);
 
