@@ -15,7 +15,7 @@ template <class Shape, class Columns>
   constexpr a_t carry30 = 0;
   specular::shade(
       shape,
-      [&](std::uint16_t n) [[gnu::always_inline]] {
+      [&](std::uint16_t n) __attribute__((always_inline)) {
         const a_t slope_n = law::mul<a_t>(n, slope, 0);
         return law::add<a_t>(slope_n, 0, offset, shape.coefficient_bits - 1, carry30);
       },
