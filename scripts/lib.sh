@@ -2,11 +2,41 @@
 # shellcheck shell=bash
 # What the scripts share. Sourced, not run.
 
-root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+# With CDPATH, cd prints where it went; the order of a sort, numbers and messages depend on the locale.
+unset CDPATH
+export LC_ALL=C.UTF-8
+root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd -P)
 
-# Messages go to standard error; standard output is for results.
-say() { printf 'blysk %s: %s\n' "${0##*/}" "$*" >&2; }
+# Messages go to standard error, one line each; standard output is for results.
+say() {
+  local text="$*"
+  iconv -f UTF-8 -t UTF-8 <<<"$text" >/dev/null 2>&1 || text=$(LC_ALL=C && printf %q "$text")
+  text=${text//[[:cntrl:]$'\u202A'-$'\u202E'$'\u2066'-$'\u2069']/?}
+  printf 'blysk %s: %s\n' "${0##*/}" "$text" >&2
+}
 die() { say "$@"; exit 1; }
+
+# take_help "$@": where --help or -h is among the script's arguments, shows its help() and ends it.
+take_help() {
+  local word
+  for word; do
+    case $word in
+      --) return ;;
+      --help | -h) help && exit ;;
+    esac
+  done
+}
+
+# refuse WHAT...: ends a script that was called wrongly.
+refuse() { say "$*; see scripts/${0##*/} --help"; exit 2; }
+
+# expect MOST "$@": refuses options and what is more than MOST arguments.
+expect() {
+  local most=$1 word
+  shift
+  for word; do [[ $word != -* ]] || refuse "'$word' is unknown"; done
+  [ $# -le "$most" ] || refuse "'${*:most + 1:1}' is one argument too many"
+}
 
 # as_owner ARGUMENT...: under sudo, starts the script again as the user who called it. Only installing packages is
 # root's work; the tree and what is made in it stay its owner's.
@@ -41,21 +71,27 @@ show_newest_line() {
   printf '\r\033[K' >&2
 }
 
-wants_help() { [ "${1:-}" = --help ] || [ "${1:-}" = -h ]; }
-
 configure() {
   local configured=$root/build/systemc-of-environment
   say "configuring build/"
   rm -f "$configured"
-  logged configure cmake -S "$root" --preset release -U SystemCLanguage_DIR -U SYSTEMC_HOME || exit 1
+  logged configure cmake -S "$root" --preset release "$@" -U SystemCLanguage_DIR -U SYSTEMC_HOME || exit 1
   echo "$systemc_of_environment" >"$configured"
 }
 systemc_of_environment="SystemCLanguage_DIR=${SystemCLanguage_DIR:-} SYSTEMC_HOME=${SYSTEMC_HOME:-}"
 
+# cached NAME: the value in build/CMakeCache.txt.
+cached() { sed -n "s/^$1:[^=]*=//p" "$root/build/CMakeCache.txt"; }
+
 # build [TARGET...]: builds the targets, or all. Configures build/ first where that was not done yet, was done with
-# another SystemC than the environment names now, or where files that it knew are gone since.
+# another SystemC than the environment names now, or where files that it knew are gone since; afresh where build/ is
+# that of another tree, of which this one is a copy, or of this one at another place.
 build() {
-  if [ ! -f "$root/build/build.ninja" ] ||
+  if [ -f "$root/build/CMakeCache.txt" ] &&
+    ! { [ "$(cached CMAKE_HOME_DIRECTORY)" -ef "$root" ] && [ "$(cached CMAKE_CACHEFILE_DIR)" -ef "$root/build" ]; }; then
+    say "build/ is that of another tree or place"
+    configure --fresh
+  elif [ ! -f "$root/build/build.ninja" ] ||
     [ "$(cat "$root/build/systemc-of-environment" 2>/dev/null)" != "$systemc_of_environment" ] ||
     ! ninja -C "$root/build" -n build.ninja >/dev/null 2>&1; then
     configure
@@ -65,14 +101,23 @@ build() {
 }
 
 # fit_layout FILE.vcd FILE.gtkw: the layout, made for q16 clamped, with the bus widths of the waveform, and with its
-# fraction bits. A net keeps its integer bits from format to format, so its fraction bits grow with its width; those of
+# fraction bits. Fails if the waveform has none of the layout's signals. Of the waveform only the header is read. A net keeps its integer bits from format to format, so its fraction bits grow with its width; those of
 # the BRDF and the colours, which have more integer bits in a device as published, are those of cos18.
 fit_layout() {
-  awk '
-    NR == FNR && $1 == "$scope" && $3 != "SystemC" { scope = $3 "." }
-    NR == FNR && $1 == "$upscope" { scope = "" }
-    NR == FNR && $1 == "$var" && $6 ~ /^\[/ { split(substr($6, 2), ends, ":"); left["SystemC." scope $5] = ends[1] }
-    NR == FNR { next }
+  sed '/\$enddefinitions/q' "$1" | awk '
+    in_header && $1 == "$scope" { scope = scope $3 "." }
+    in_header && $1 == "$upscope" { sub(/[^.]*\.$/, "", scope) }
+    in_header && $1 == "$var" {
+      known[scope $5]
+      if ($6 ~ /^\[/) { split(substr($6, 2), ends, ":"); left[scope $5] = ends[1] }
+    }
+    in_header { next }
+    {
+      signal = $0
+      sub(/^\+\{[^}]*\} /, "", signal)
+      sub(/\[[0-9]+:[0-9]+\]$/, "", signal)
+      if (signal in known) ++found
+    }
     $1 == "[fpshift_count]" { shift_count = $2; next }
     match($0, /\[[0-9]+:0\]$/) {  # "SystemC.net[7:0]" or "+{alias} SystemC.net[7:0]"
       start = index($0, "SystemC.")
@@ -85,5 +130,6 @@ fit_layout() {
       if (shift_count != "") print "[fpshift_count] " is_shift
       shift_count = ""
     }
-    { print }' "$1" "$2"
+    { print }
+    END { exit !found }' in_header=1 - in_header=0 /dev/fd/3 3<"$2"
 }

@@ -10,7 +10,7 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 mkdir "$work/scripts"
 cp -r rtl_sysc tb "$work"
-cp scripts/check-includes "$work/scripts"
+cp scripts/check-includes scripts/lib.sh "$work/scripts"
 cd "$work"
 status=0
 
@@ -42,6 +42,7 @@ ignored rtl_sysc/blocks/mul.h '  return table[i](2) + std::int64_t{1};'
 ignored rtl_sysc/blocks/clocked.h '    sensitive << clk.pos();'
 reported tb/golden/angle.h '#include "rtl_sysc/qformat.h"'
 reported tb/golden/angle.h '#include "tb/device.h"'
+reported tb/claims/claim.h '#include "tb/device.h"'
 reported tb/blocks/law_test.cpp '#include "tb/netlist/block.h"'
 reported tb/netlist/block.h '#include "tb/devices/test/asked.h"'
 reported tb/specular/specular.h '#include "tb/harness/systemc_engine.h"'
@@ -54,6 +55,8 @@ reported tb/cosim/strobes.h '#include "tb/cli/stream.h"'
 reported tb/inputs.cpp "  return choose(\"$device\", \"q8\");"
 reported tb/netlist/CMakeLists.txt "blysk_add_test(unit.${device}_x SOURCES a.cpp)"
 reported tb/harness/systemc_engine.cpp "#include \"tb/devices/$device/wires.h\""
+reported tb/inputs.cpp '  SC_HAS''_PROCESS(x);'
+reported tb/inputs.cpp '  use([&, size'' = size] { return size; });'
 ignored tb/inputs.cpp "  // such as $device"
 ignored "tb/devices/$device/wires.h" "namespace blysk::${device}_device {}"
 ignored tb/inputs.cpp "  return golden::$device(1, 2);"

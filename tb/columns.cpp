@@ -35,6 +35,10 @@ columns::columns(const std::vector<port>& ports, port::role role) {
   for (const port& each : of_role(ports, role)) columns_.emplace_back(storage_of(*each.carries));
 }
 
+bool columns::has_layout(const std::vector<storage>& kinds) const {
+  return std::ranges::equal(columns_, kinds, {}, &column::kind);
+}
+
 std::vector<storage> columns::layout() const {
   std::vector<storage> kinds;
   std::ranges::transform(columns_, std::back_inserter(kinds), &column::kind);

@@ -110,6 +110,7 @@ class columns {
   columns(const std::vector<port>& ports, port::role role);
 
   std::vector<storage> layout() const;
+  bool has_layout(const std::vector<storage>& kinds) const;
   std::size_t width() const { return columns_.size(); }
 
   std::size_t size() const { return columns_.empty() ? 0 : columns_.front().size(); }

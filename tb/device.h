@@ -115,6 +115,9 @@ class device {
   /// The bit-accurate model: the blocks' laws composed on integers.
   virtual std::unique_ptr<engine> make_bit(const selection& asked) const = 0;
 
+  /// Bits of the read-only memories that the device needs.
+  virtual std::int64_t rom_bits(const selection&) const { return 0; }
+
   /// The word lengths that the laws leave open, in bits by name, as the format has them.
   virtual word_lengths widths(const selection& asked) const = 0;
 

@@ -18,7 +18,7 @@ class engine {
   /// \param in   a column for each data port, of the storage of its format
   /// \param out  becomes a column for each result; what it holds keeps its memory
   void run(const columns& in, columns& out) {
-    if (out.layout() != results_) out = columns(results_);
+    if (!out.has_layout(results_)) out = columns(results_);
     out.resize(in.size());
     compute(in, out);
   }

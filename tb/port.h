@@ -33,6 +33,7 @@ struct port {
   std::string column = {};                  ///< of data and results: its name in CSV files
   std::string writes = {};                  ///< of a strobe: the data port
   write_edge edge = write_edge::level;      ///< of a strobe
+  int settling_cycles = 0;  ///< of valid: clock cycles more that a write needs before its leading edge
 
   int width() const { return carries ? carries->width() : 1; }
   bool is_input() const { return is != role::result && is != role::valid; }
@@ -89,6 +90,9 @@ class port_list {
   void valid(Member, const pin& what) {
     add(what, port::role::valid);
   }
+
+  /// The results follow a write by some more cycles; after valid().
+  void settles_after(int cycles) { ports.back().settling_cycles = cycles; }
 
   std::vector<port> ports;
 

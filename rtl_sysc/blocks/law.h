@@ -31,7 +31,8 @@ constexpr T lookup(const std::array<std::int64_t, Words>& table, T index) {
 /// bits is 1: see rounds_within().
 template <class T>
 constexpr T round_off(T x, int bits) {
-  return bits == 0 ? x : ((x >> (bits - 1)) + static_cast<T>(1)) >> 1;
+  const int half = bits > 0 ? 1 : 0;  // without bits to drop, nothing is added
+  return ((x >> (bits - half)) + static_cast<T>(half)) >> half;
 }
 
 /// True if rounding a number of `width` bits off by `bits` overflows no 64-bit integer.

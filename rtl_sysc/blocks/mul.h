@@ -34,8 +34,9 @@ struct mul : sc_core::sc_module {
 
   template <class Reader>
   void describe(Reader& reader) const {
-    reader.block_is("mul", P::frac == exact::frac ? "Multiplier: p_o = a_i * b_i, exact."
-                                               : "Multiplier: p_o = a_i * b_i, rounded to nearest, ties up.");
+    reader.block_is("mul", P::frac == exact::frac
+                               ? "Multiplier: p_o = a_i * b_i, exact."
+                               : "Multiplier: p_o = a_i * b_i, rounded to nearest, ties up.");
     reader.drive(p_o, law(reader.read(a_i, A{}), reader.read(b_i, B{})), P{});
   }
 

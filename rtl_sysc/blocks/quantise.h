@@ -41,7 +41,8 @@ struct quantise : sc_core::sc_module {
   template <class Reader>
   void describe(Reader& reader) const {
     if constexpr (Overflow == overflow::clamp) {
-      reader.block_is("quantise", "Rounds a_i to nearest, ties up, and clamps it to the codes of y_o.", "clamp");
+      reader.block_is("quantise", "Rounds a_i to nearest, ties up, and clamps it to the codes of y_o.",
+                      "clamp");
     } else {
       reader.block_is("quantise", "Rounds a_i to nearest, ties up.");
     }

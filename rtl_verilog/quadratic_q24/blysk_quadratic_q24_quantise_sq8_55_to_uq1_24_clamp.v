@@ -8,11 +8,13 @@ module blysk_quadratic_q24_quantise_sq8_55_to_uq1_24_clamp (
     output wire [24:0] y_o  // UQ1.24, codes 0..16777216
 );
 
-  wire [64:0] sum = {a_i[63], a_i} + 65'd1073741824;
-  wire [30:0] unused_sum_low = sum[30:0];  // below the last place of the result
-  wire [33:0] shifted = sum[64:31];
+  wire [29:0] unused_a_i_low = a_i[29:0];  // below the last place of the result
+  wire [33:0] shifted = a_i[63:30];
+  wire [34:0] sum = {shifted[33], shifted} + 35'd1;
+  wire unused_sum_low = sum[0];  // below the last place of the result
+  wire [33:0] shifted2 = sum[34:1];
 
-  assign y_o = ($signed(shifted) < 34'sd0) ? 25'd0 : ($signed(shifted) > 34'sd16777216) ? 25'd16777216 : shifted[24:0];
+  assign y_o = ($signed(shifted2) < 34'sd0) ? 25'd0 : ($signed(shifted2) > 34'sd16777216) ? 25'd16777216 : shifted2[24:0];
 
 endmodule
 

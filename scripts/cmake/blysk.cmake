@@ -11,14 +11,41 @@ target_compile_options(blysk_options INTERFACE
 set(blysk_compiler ${CMAKE_CXX_COMPILER} -std=c++20 -fsyntax-only -I${PROJECT_SOURCE_DIR}
                    -isystem $<TARGET_PROPERTY:SystemC::systemc,INTERFACE_INCLUDE_DIRECTORIES>)
 
-list(APPEND CMAKE_MODULE_PATH ${Catch2_DIR})
-include(Catch)
+# Tests see no locale but this one, and no variable that changes what the tools say or where cd goes.
+file(WRITE ${PROJECT_BINARY_DIR}/test_environment.cmake
+  "set(ENV{LC_ALL} C.UTF-8)\nunset(ENV{LANGUAGE})\nunset(ENV{CDPATH})\n")
+set_property(DIRECTORY ${PROJECT_SOURCE_DIR} APPEND PROPERTY TEST_INCLUDE_FILES ${PROJECT_BINARY_DIR}/test_environment.cmake)
+
+if(BUILD_TESTING)
+  list(APPEND CMAKE_MODULE_PATH ${Catch2_DIR})
+  include(Catch)
+endif()
+
+# blysk_build_only(PROGRAM...): the target all is these programs and what they need.
+function(blysk_build_only)
+  set(directories ${PROJECT_SOURCE_DIR})
+  while(directories)
+    list(POP_FRONT directories directory)
+    get_property(below DIRECTORY ${directory} PROPERTY SUBDIRECTORIES)
+    list(APPEND directories ${below})
+    get_property(targets DIRECTORY ${directory} PROPERTY BUILDSYSTEM_TARGETS)
+    foreach(target IN LISTS targets)
+      set_target_properties(${target} PROPERTIES EXCLUDE_FROM_ALL ON)
+    endforeach()
+  endwhile()
+  set_target_properties(${ARGV} PROPERTIES EXCLUDE_FROM_ALL OFF)
+endfunction()
 
 # blysk_add_test(AREA.SUBJECT SOURCES a.cpp ... LIBRARIES lib ... [LABELS label ...] [ENVIRONMENT VAR=value ...])
 # A Catch2 program; its cases become the ctest tests "AREA.SUBJECT: case", one process each.
-# A case tagged [full] bears the label full, every other one quick; LABELS come on top.
+# A case tagged [full] bears the label full, [long] long, every other one quick; LABELS come on top.
+# With BUILD_TESTING off it is a target that nothing builds, and Catch2 is not there.
 function(blysk_add_test name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;LIBRARIES;LABELS;ENVIRONMENT")
+  if(NOT BUILD_TESTING)
+    add_executable(${name} EXCLUDE_FROM_ALL ${arg_SOURCES})
+    return()
+  endif()
   add_executable(${name} ${arg_SOURCES})
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR})
   # Catch2 first: a static SystemC has a main of its own, for those who come without one.
@@ -29,11 +56,11 @@ function(blysk_add_test name)
     file(READ ${source} content)
     string(APPEND text "${content}")
   endforeach()
-  foreach(label quick full)
-    if(NOT label STREQUAL full)
-      set(spec "~[full]")
-    elseif(text MATCHES "\\[full\\]")
-      set(spec "[full]")
+  foreach(label quick full long)
+    if(label STREQUAL quick)
+      set(spec "~[full]~[long]")
+    elseif(text MATCHES "\\[${label}\\]")
+      set(spec "[${label}]")
     else()
       continue()  # Catch2 warns of a list without cases
     endif()

@@ -1,10 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <memory>
+#include <string>
 #include <string_view>
+
+#include "tb/device.h"
 
 namespace blysk::cli {
 
-inline constexpr std::string_view engine_names[] = {"golden", "bit", "systemc", "verilator"};
+/// The ways to compute a device, as `--engine` names them.
+struct engine_choice {
+  std::string_view name;
+  std::string_view help;
+  purpose serves;
+  std::unique_ptr<engine> (*make)(const selection& asked);
+};
+
+const std::vector<engine_choice>& engine_choices();
+
+/// \throws std::invalid_argument for an engine that does not exist
+const engine_choice& find_engine(const std::string& name);
 
 }  // namespace blysk::cli

@@ -6,8 +6,9 @@
 #include <stdexcept>
 
 #include "tb/cli/verbs.h"
-#include "tb/files.h"
+#include "tb/csv_reader.h"
 #include "tb/golden/registry.h"
+#include "tb/output_file.h"
 
 namespace blysk::cli {
 namespace {

@@ -8,8 +8,8 @@
 
 namespace blysk::cli {
 
-std::uint64_t stream(csv_reader& stimulus, int fraction, const std::function<void(row_block&)>& compute,
-                     output_file& results) {
+std::uint64_t stream(csv_reader& stimulus, const std::vector<port>& ports,
+                     const std::function<void(row_block&)>& compute, output_file& results) {
   constexpr std::size_t kBlocks = 4;  // so that neither side waits for a thread to wake up
   std::array<row_block, kBlocks> ring;
   std::counting_semaphore<kBlocks> empty(kBlocks);
@@ -19,11 +19,11 @@ std::uint64_t stream(csv_reader& stimulus, int fraction, const std::function<voi
   auto writing = std::async(std::launch::async, [&] {
     try {
       fmt::memory_buffer text;
-      fmt::format_to(std::back_inserter(text), "{}\n", kResultsHeader);
+      fmt::format_to(std::back_inserter(text), "{}\n", results_header(ports));
       for (std::size_t k = 0;; ++k) {
         full.acquire();
         const row_block& block = ring[k % kBlocks];
-        append_rows(text, block, fraction);
+        append_rows(text, ports, block);
         results.write({text.data(), text.size()});
         text.clear();
         if (block.writes.size() == 0) return;
@@ -45,7 +45,7 @@ std::uint64_t stream(csv_reader& stimulus, int fraction, const std::function<voi
     if (failed) break;
     row_block& block = ring[k % kBlocks];
     try {
-      read_block(stimulus, fraction, computed.writes);
+      read_block(stimulus, ports, computed.writes);
       if (computed.writes.size() != 0) compute(computed);
       block = computed;
     } catch (...) {

@@ -6,15 +6,16 @@
 #include <functional>
 
 #include "tb/cli/rows.h"
+#include "tb/output_file.h"
 
 namespace blysk::cli {
 
 /// Writes the header and a row for each of the stimulus, in a thread of its own beside reading and `compute`, which run
 /// in the calling one.
-/// \param fraction  of the cosines and of integer results, 0..24
+/// \param ports  of the device
 /// \return  how many rows there were
 /// \throws usage_error if the stimulus is wrong or the results cannot be written; they are then not complete
-std::uint64_t stream(csv_reader& stimulus, int fraction, const std::function<void(row_block&)>& compute,
-                     output_file& results);
+std::uint64_t stream(csv_reader& stimulus, const std::vector<port>& ports,
+                     const std::function<void(row_block&)>& compute, output_file& results);
 
 }  // namespace blysk::cli

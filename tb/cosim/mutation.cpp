@@ -1,17 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
-// mutation FORMAT FOLDER [TABLE.md]: does the regression kill the single-fault mutants of the exported device?
-// FOLDER has list.ys, which yosys `mutate -list` wrote, and control.txt, which names the cells of the registers' enables
-// and resets. Exit 1 if one lives that is not shown to be equivalent.
+// mutation DEVICE FORMAT FOLDER [--output TABLE.md]: does the regression kill the single-fault mutants of the exported
+// device? FOLDER has what mutants.sh wrote: list.ys, the faults, and control.txt, the cells of the registers' enables and
+// resets. Exit 1 if one lives that is not shown to be equivalent. Built once for each device and format, with the modules
+// of the mutants.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <functional>
 #include <map>
 #include <regex>
 #include <set>
 #include <utility>
 
-#include "tb/bit/quadratic.h"
 #include "tb/cosim/mutants.h"
-#include "tb/cosim/program.h"
 #include "tb/cosim/strobes.h"
-#include "tb/cosim/vectors.h"
+#include "tb/files.h"
+#include "tb/inputs.h"
+#include "tb/program.h"
 #include "tb/progress.h"
 
 namespace blysk::cosim {
@@ -70,32 +76,34 @@ mutation parse(const std::string& line, const std::set<std::string>& control) {
           wire.empty() ? port : port + ", wire " + wire, what, (is_logic && !is_control) || is_data};
 }
 
-/// The modules of all hundreds.
-template <std::size_t... Index>
-std::vector<std::unique_ptr<mutants>> make_all_mutants(std::index_sequence<Index...>) {
-  std::vector<std::unique_ptr<mutants>> result;
-  (result.push_back(make_mutants<static_cast<int>(Index) + 1>()), ...);
-  return result;
-}
-
 struct vectors {
-  batch in;
-  results expected;
+  columns in;
+  columns expected;
 };
 
+/// What the registers can hold, and what is tried of it. A mutant that passes is equivalent if its outputs are still a
+/// function of what was written last, and if the device is of this kind: it has one inner result, which depends on the
+/// enumerated ports alone, and every result depends on that and on one other data port. With those ports at their largest
+/// codes the results tell all inner results apart, which is checked. So all codes of the enumerated ports there cover the
+/// path to the inner result, and then all codes of the others at every inner result that occurs cover the rest.
 class regression {
  public:
-  explicit regression(const std::string& format) {
-    device_options options;
-    options.format = format;
-    fraction_ = fraction_bits(options);
-    model_ = bit::make_quadratic(options);
-    for_random_inputs(fraction_, 20'000, 1, [&](const batch& in) { random_.push_back(with_results(in)); });
+  explicit regression(const selection& asked)
+      : asked_(asked),
+        data_(of_role(asked.of().ports(asked), port::role::data)),
+        model_(asked.of().make_bit(asked)) {
+    find_columns();
+    for (const auto& make : mutants_table()) modules_.push_back(make());
+    for_random_inputs(asked_, 20'000, 1, [&](const columns& in) { random_.push_back(with_results(in)); });
     module_ = modules_.front().get();
     module_->select(0);
-    prepare_reset_exponent();
-    prepare_colours();
-    strobes_ = play_strobes();
+    find_inner_results();
+    prepare_reset_codes();
+    prepare_others();
+    play([&](std::span<const std::int64_t> levels) {
+      strobes_.insert(strobes_.end(), levels.begin(), levels.end());
+      return true;
+    });
   }
 
   fate run(unsigned mutant, const mutation& what) {
@@ -104,93 +112,181 @@ class regression {
     for (const vectors& each : random_) {
       if (differs(each)) return fate::killed_by_vectors;
     }
-    if (play_strobes() != strobes_) return fate::killed_by_strobes;
+    if (killed_by_strobes()) return fate::killed_by_strobes;
     if (killed_by_all_inputs()) return fate::killed_by_all_inputs;
     return what.is_datapath ? fate::equivalent : fate::alive;
   }
 
  private:
-  vectors with_results(const batch& in) {
+  void find_columns() {
+    const std::vector<port> results = of_role(asked_.of().ports(asked_), port::role::result);
+    std::vector<std::size_t> inner;
+    for (std::size_t i = 0; i < results.size(); ++i) (results[i].is_inner ? inner : outer_).push_back(i);
+    if (inner.size() != 1 || outer_.empty())
+      throw std::invalid_argument(asked_.text() +
+                                  " cannot be tried, expected a device with one inner result");
+    inner_ = inner.front();
+  }
+
+  vectors with_results(const columns& in) {
     vectors result{in, {}};
     model_->run(in, result.expected);
     return result;
   }
 
+  std::vector<std::int64_t> outer_results(const columns& out, std::size_t row) const {
+    std::vector<std::int64_t> codes;
+    for (const std::size_t each : outer_) codes.push_back(out[each].get(row));
+    return codes;
+  }
+
   bool differs(const vectors& each) {
     module_->run(each.in, got_);
-    return got_.red != each.expected.red || got_.green != each.expected.green ||
-           got_.blue != each.expected.blue;
+    return std::ranges::any_of(outer_, [&](std::size_t i) { return !(got_[i] == each.expected[i]); });
   }
 
-  // Registers can hold n in 0..1000, 0 since their reset, and every legal cosine and colour. 25..27 at colours 255 tell
-  // all BRDFs apart, so all (n, cos) there cover the path to the BRDF; then every colour at every BRDF that occurs covers
-  // multipliers 12..14. No single fault of the datapath is outside both.
+  bool killed_by_strobes() {
+    std::size_t next = 0;
+    bool same = true;
+    play([&](std::span<const std::int64_t> levels) {
+      same = std::equal(levels.begin(), levels.end(), strobes_.begin() + static_cast<std::ptrdiff_t>(next));
+      next += levels.size();
+      return same;
+    });
+    return !same;
+  }
+
+  void play(const std::function<bool(std::span<const std::int64_t>)>& use) {
+    play_strobes(*module_, asked_, use);
+  }
+
   bool killed_by_all_inputs() {
-    bool killed = differs(reset_exponent_);
-    for_all_inputs(fraction_, [&](batch in) {
-      if (killed) return;
-      in.red_ks.assign(in.size(), 255);
-      in.green_ks = in.blue_ks = in.red_ks;
-      killed = differs(with_results(in));
+    bool killed = std::ranges::any_of(reset_codes_, [&](const vectors& each) { return differs(each); });
+    for_all_inputs(asked_, [&](const columns& in) {
+      if (!killed) killed = differs(with_results(at_largest(in)));
     });
-    for (std::size_t i = 0; i < colours_.size() && !killed; ++i) killed = differs(colours_[i]);
-    return killed;
+    return killed || std::ranges::any_of(others_, [&](const vectors& each) { return differs(each); });
   }
 
-  // The model is for legal n, so the device without a fault tells what n = 0 gives; cosim.lockstep compares it with
-  // SystemC there.
-  void prepare_reset_exponent() {
-    for (unsigned code = 0; code <= 1u << fraction_; ++code) {
-      append(reset_exponent_.in, 0, code, 255, 255, 255);
+  /// The same writes, the ports that are not enumerated at their largest codes.
+  columns at_largest(columns in) const {
+    for (std::size_t i = asked_.of().enumerated(); i < data_.size(); ++i) {
+      for (std::size_t row = 0; row < in.size(); ++row) in[i].set(row, data_[i].carries->max);
     }
-    module_->run(reset_exponent_.in, reset_exponent_.expected);
+    return in;
   }
 
-  void prepare_colours() {
-    std::map<std::int64_t, std::pair<unsigned, unsigned>> inputs;  // of every BRDF
-    for_all_inputs(fraction_, [&](const batch& in) {
-      results out;
-      model_->run(in, out);
-      for (std::size_t i = 0; i < in.size(); ++i) inputs.try_emplace(out.brdf[i], in.n[i], in.cos_delta[i]);
+  /// An input for each inner result that occurs, and what the results are there.
+  void find_inner_results() {
+    for_all_inputs(asked_, [&](const columns& in) {
+      const vectors all = with_results(at_largest(in));
+      for (std::size_t row = 0; row < in.size(); ++row) {
+        const std::int64_t inner = all.expected[inner_].get(row);
+        if (inputs_.contains(inner)) continue;
+        std::vector<std::int64_t> codes;
+        for (const column& each : in) codes.push_back(each.get(row));
+        inputs_[inner] = codes;
+        if (!seen_.insert(outer_results(all.expected, row)).second)
+          throw std::runtime_error(
+              "two inner results give the same results, expected the largest codes to tell them apart");
+      }
     });
-    for (const std::int64_t red : reset_exponent_.expected.red) {
-      if (!inputs.contains(red / 255)) throw std::runtime_error("n = 0 gives a BRDF that no other n gives");
+  }
+
+  // Registers hold 0 after a reset, which may be no legal code. The model is for legal ones, so the device without a fault
+  // tells what they give; lockstep compares it with SystemC there.
+  void prepare_reset_codes() {
+    const std::size_t enumerated = asked_.of().enumerated();
+    for (std::uint64_t which = 1; which < std::uint64_t{1} << enumerated; ++which) {
+      std::vector<std::pair<std::int64_t, std::int64_t>> ranges;
+      bool is_new = true;
+      for (std::size_t i = 0; i < enumerated; ++i) {
+        const wire_format& format = *data_[i].carries;
+        const bool is_reset = (which >> i & 1) != 0;
+        is_new = is_new && (!is_reset || format.min > 0 || format.max < 0);
+        ranges.emplace_back(is_reset ? 0 : format.min, is_reset ? 0 : format.max);
+      }
+      if (is_new) try_codes(ranges);
     }
-    batch in;
-    for (const auto& [brdf, input] : inputs) {
-      for (unsigned colour = 0; colour < 256; ++colour)
-        append(in, input.first, input.second, colour, colour, colour);
-      if (in.size() >= 4096) {
-        colours_.push_back(with_results(in));
-        in.resize(0);
+  }
+
+  void try_codes(const std::vector<std::pair<std::int64_t, std::int64_t>>& ranges) {
+    batcher writes(asked_, [&](const columns& in) {
+      vectors tried{at_largest(in), {}};
+      module_->run(tried.in, tried.expected);
+      for (std::size_t row = 0; row < in.size(); ++row) {
+        if (!seen_.contains(outer_results(tried.expected, row)))
+          throw std::runtime_error(
+              "the reset value gives an inner result that no legal code gives, expected one of those");
+      }
+      reset_codes_.push_back(std::move(tried));
+    });
+    std::vector<std::int64_t> codes;
+    for (const auto& [first, last] : ranges) codes.push_back(first);
+    for (;;) {
+      writes.add(codes);
+      std::size_t digit = codes.size();
+      while (digit > 0 && codes[digit - 1] == ranges[digit - 1].second) {
+        codes[digit - 1] = ranges[digit - 1].first;
+        --digit;
+      }
+      if (digit == 0) break;
+      ++codes[digit - 1];
+    }
+    writes.flush();
+  }
+
+  // Every code of the other ports, all at the same distance from their smallest, at every inner result.
+  void prepare_others() {
+    constexpr std::size_t kBatch = 4096;
+    const std::size_t enumerated = asked_.of().enumerated();
+    std::int64_t most = 1;
+    for (std::size_t i = enumerated; i < data_.size(); ++i)
+      most = std::max(most, data_[i].carries->max - data_[i].carries->min + 1);
+    columns in(data_, port::role::data);
+    in.resize(kBatch);
+    std::size_t row = 0;
+    const auto flush = [&] {
+      in.resize(row);
+      if (row > 0) others_.push_back(with_results(in));
+      in.resize(kBatch);
+      row = 0;
+    };
+    for (const auto& [inner, codes] : inputs_) {
+      for (std::int64_t step = 0; step < most; ++step) {
+        for (std::size_t i = 0; i < data_.size(); ++i) {
+          const wire_format& format = *data_[i].carries;
+          in[i].set(row, i < enumerated ? codes[i] : format.min + step % (format.max - format.min + 1));
+        }
+        if (++row == kBatch) flush();
       }
     }
-    if (in.size() > 0) colours_.push_back(with_results(in));
+    flush();
   }
 
-  std::vector<outputs> play_strobes() {
-    std::vector<outputs> played;
-    cosim::play_strobes(*module_, fraction_, [&](const outputs& each) { played.push_back(each); });
-    return played;
-  }
-
-  int fraction_ = 0;
+  const selection& asked_;
+  std::vector<port> data_;
   std::unique_ptr<engine> model_;
-  std::vector<std::unique_ptr<mutants>> modules_ =
-      make_all_mutants(std::make_index_sequence<BLYSK_HUNDREDS>());
-  mutants* module_ = nullptr;  // the one with the mutant that runs
-  std::vector<vectors> random_, colours_;
-  vectors reset_exponent_;  // n = 0 at all cosines, colours 255
-  std::vector<outputs> strobes_;
-  results got_;
+  std::size_t inner_ = 0;           // column of the inner result
+  std::vector<std::size_t> outer_;  // columns of the others
+  std::vector<std::unique_ptr<mutants>> modules_;
+  mutants* module_ = nullptr;                                 // the one with the mutant that runs
+  std::map<std::int64_t, std::vector<std::int64_t>> inputs_;  // of every inner result
+  std::set<std::vector<std::int64_t>> seen_;                  // the results they give at the largest codes
+  std::vector<vectors> random_, reset_codes_, others_;
+  std::vector<std::int64_t> strobes_;  // levels after every edge
+  columns got_;
 };
 
-int run(const std::string& format, const std::string& folder, const std::string& table) {
+int run(const selection& asked, const std::string& folder, const std::string& table) {
   const std::set<std::string> control = control_cells(folder + "/control.txt");
   std::vector<mutation> mutations;
   for (const std::string& line : lines_of(folder + "/list.ys")) mutations.push_back(parse(line, control));
 
-  regression tests(format);
+  if (mutations.size() != 100 * mutants_table().size())
+    throw std::runtime_error(fmt::format("{}/list.ys has {} mutants, expected {}", folder, mutations.size(),
+                                         100 * mutants_table().size()));
+  regression tests(asked);
   std::map<fate, std::size_t> counts;
   std::string survivors;
   std::map<std::string, std::size_t> equivalent;  // by place
@@ -206,7 +302,8 @@ int run(const std::string& format, const std::string& folder, const std::string&
     bar.advance(1);
   }
 
-  std::string text = fmt::format("| {} mutants of {} | |\n|---|---|\n", mutations.size(), format);
+  std::string text =
+      fmt::format("| {} mutants of {} | |\n|---|---|\n", mutations.size(), asked.folder_name());
   for (const fate each : {fate::killed_by_vectors, fate::killed_by_strobes, fate::killed_by_all_inputs,
                           fate::equivalent, fate::alive}) {
     text += fmt::format("| {} | {} |\n", kFates[static_cast<int>(each)], counts[each]);
@@ -215,7 +312,12 @@ int run(const std::string& format, const std::string& folder, const std::string&
   for (const auto& [place, count] : equivalent) text += fmt::format("| {} | {} |\n", place, count);
   if (!survivors.empty()) text += "\n| mutant | block | fault | |\n|---|---|---|---|\n" + survivors;
   fmt::print("{}", text);
-  if (!table.empty()) write_file(table, text);
+  if (!table.empty()) {
+    output_file file(table);
+    file.write(text);
+    file.close();
+    file.commit();
+  }
   return counts[fate::alive] == 0 ? 0 : 1;
 }
 
@@ -223,8 +325,15 @@ int run(const std::string& format, const std::string& folder, const std::string&
 }  // namespace blysk::cosim
 
 int main(int argc, char** argv) {
-  return blysk::cosim::program([&] {
-    if (argc < 3 || argc > 4) throw std::invalid_argument("usage: mutation FORMAT FOLDER [TABLE.md]");
-    return blysk::cosim::run(argv[1], argv[2], argc == 4 ? argv[3] : "");
-  });
+  using namespace blysk;
+  device_arguments arguments;
+  std::string folder, table;
+  return run_program(
+      argc, argv, "Tries the single-fault mutants of an exported device on the regression",
+      [&](CLI::App& program) {
+        arguments.add_to(program);
+        program.add_option("FOLDER", folder, "of list.ys and control.txt")->required();
+        program.add_option("--output", table, "Markdown file for the result");
+      },
+      [&] { return cosim::run(arguments.chosen(), folder, table); });
 }

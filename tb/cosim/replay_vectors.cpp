@@ -1,32 +1,157 @@
 // SPDX-License-Identifier: Apache-2.0
-// replay_vectors FORMAT COUNT: random writes and what the bit-accurate model makes of them, a line for each
-// "n cos r g b red green blue", all raw integers.
-#include "tb/bit/quadratic.h"
-#include "tb/cosim/program.h"
-#include "tb/cosim/vectors.h"
+// replay_vectors DEVICE FORMAT COUNT --output FOLDER: COUNT random writes and what the bit-accurate model makes of them as
+// FOLDER/vectors.txt, and the device's ports as FOLDER/device.vh, both for replay.v.
+#include <fmt/format.h>
 
+#include <algorithm>
+#include <stdexcept>
+
+#include "tb/files.h"
+#include "tb/inputs.h"
+#include "tb/program.h"
+
+namespace blysk {
 namespace {
 
-int print_vectors(int argc, char** argv) {
-  using namespace blysk;
-  if (argc != 3) throw std::invalid_argument("usage: replay_vectors FORMAT COUNT");
-  device_options options;
-  options.format = argv[1];
-  const std::uint64_t count = cosim::positive("COUNT", argv[2]);
-  const auto model = bit::make_quadratic(options);
-  results out;
-  cosim::for_random_inputs(fraction_bits(options), count, 1, [&](const batch& in) {
-    model->run(in, out);
-    for (std::size_t i = 0; i < in.size(); ++i) {
-      fmt::print("{} {} {} {} {} {} {} {}\n", in.n[i], in.cos_delta[i], in.red_ks[i], in.green_ks[i],
-                 in.blue_ks[i], out.red[i], out.green[i], out.blue[i]);
+std::string binary(std::int64_t value, int width) {
+  std::string digits;
+  for (int bit = width - 1; bit >= 0; --bit) digits += ((value >> bit) & 1) != 0 ? '1' : '0';
+  return digits;
+}
+
+/// Slices of one register or wire of the bench, from its upper end down.
+class bundle {
+ public:
+  explicit bundle(const std::string& name) : name_(name) {}
+
+  void add(const port& of) { ports_.push_back(of); }
+  int width() const {
+    int bits = 0;
+    for (const port& each : ports_) bits += each.width();
+    return bits;
+  }
+  std::string connections() const {
+    std::string text;
+    int upper = width();
+    for (const port& each : ports_) {
+      text += fmt::format(", .{}({}[{}:{}])", each.name, name_, upper - 1, upper - each.width());
+      upper -= each.width();
     }
-  });
-  return 0;
+    return text;
+  }
+
+ private:
+  std::string name_;
+  std::vector<port> ports_;
+};
+
+class replay {
+ public:
+  explicit replay(const selection& asked) : asked_(asked), ports_(asked.of().ports(asked)) {
+    std::size_t data_column = 0;
+    std::size_t result_column = 0;
+    for (const port& each : ports_) {
+      if (each.is == port::role::data) {
+        const bool is_trailing = strobe_of(each).edge == write_edge::trailing;
+        (is_trailing ? trailing_ : level_).add(each);
+        (is_trailing ? trailing_columns_ : level_columns_).push_back(data_column++);
+      } else if (each.is == port::role::result) {
+        if (!each.is_inner) {
+          results_.add(each);
+          result_columns_.push_back(result_column);
+        }
+        ++result_column;
+      }
+    }
+    if (trailing_columns_.size() != 1)
+      throw std::invalid_argument(asked.text() + " has no strobe protocol, expected a device with one");
+  }
+
+  std::string header() const {
+    std::string connections, stuck;
+    const auto name = [&](port::role role) { return ports_[find_role(ports_, role)].name; };
+    for (const port& each : ports_) {
+      if (each.is == port::role::strobe)
+        connections +=
+            fmt::format(", .{}({})", each.name, each.edge == write_edge::trailing ? "trailing" : "level");
+      if (!each.is_inner && !each.is_input())
+        stuck += fmt::format(" if ($test$plusargs(\"stuck_{0}\")) force device.{0} = 0;", each.name);
+    }
+    return fmt::format(
+        "// Made by replay_vectors; do not edit.\n"
+        "`define TRAILING_BITS {}\n`define LEVEL_BITS {}\n`define RESULT_BITS {}\n"
+        "`define DEVICE {} device (.{}(clk), .{}(rst_n), .{}(valid){}{}{}{});\n"
+        "`define STUCK{}\n",
+        trailing_.width(), level_.width(), results_.width(), asked_.top_name(), name(port::role::clock),
+        name(port::role::reset), name(port::role::valid), connections, trailing_.connections(),
+        level_.connections(), results_.connections(), stuck);
+  }
+
+  std::string vectors(std::uint64_t count) const {
+    std::string text;
+    const auto model = asked_.of().make_bit(asked_);
+    columns out;
+    for_random_inputs(asked_, count, 1, [&](const columns& in) {
+      model->run(in, out);
+      for (std::size_t row = 0; row < in.size(); ++row) {
+        text += digits(in, trailing_columns_, port::role::data, row) + ' ' +
+                digits(in, level_columns_, port::role::data, row) + ' ' +
+                digits(out, result_columns_, port::role::result, row) + '\n';
+      }
+    });
+    return text;
+  }
+
+ private:
+  const port& strobe_of(const port& data) const {
+    const auto found = std::ranges::find_if(
+        ports_, [&](const port& each) { return each.is == port::role::strobe && each.writes == data.name; });
+    if (found == ports_.end())
+      throw std::invalid_argument(data.name + " has no strobe, expected a device with the strobe protocol");
+    return *found;
+  }
+
+  std::string digits(const columns& of, const std::vector<std::size_t>& which, port::role role,
+                     std::size_t row) const {
+    const std::vector<port> described = of_role(ports_, role);
+    std::string text;
+    for (const std::size_t each : which) text += binary(of[each].get(row), described[each].width());
+    return text;
+  }
+
+  const selection& asked_;
+  std::vector<port> ports_;
+  bundle trailing_{"trailing_data"}, level_{"level_data"}, results_{"results"};
+  std::vector<std::size_t> trailing_columns_, level_columns_, result_columns_;
+};
+
+void write(const std::string& path, const std::string& text) {
+  output_file file(path);
+  file.write(text);
+  file.close();
+  file.commit();
 }
 
 }  // namespace
+}  // namespace blysk
 
 int main(int argc, char** argv) {
-  return blysk::cosim::program([&] { return print_vectors(argc, argv); });
+  using namespace blysk;
+  device_arguments arguments;
+  std::string count, folder;
+  return run_program(
+      argc, argv, "Writes what replay.v needs: writes, their results and the ports of the device",
+      [&](CLI::App& program) {
+        arguments.add_to(program);
+        program.add_option("COUNT", count, "writes")->required();
+        program.add_option("--output", folder, "folder for vectors.txt and device.vh")->required();
+      },
+      [&] {
+        const std::uint64_t writes = positive("COUNT", count);
+        const selection asked = arguments.chosen();
+        const replay text(asked);
+        write(folder + "/device.vh", text.header());
+        write(folder + "/vectors.txt", text.vectors(writes));
+        return 0;
+      });
 }

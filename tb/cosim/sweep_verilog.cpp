@@ -1,51 +1,162 @@
 // SPDX-License-Identifier: Apache-2.0
-// sweep_verilog FORMAT [COUNT]: the exported Verilog against the bit-accurate model at every input, or at COUNT random
-// ones. Exit 1 if they differ anywhere.
-#include "tb/bit/quadratic.h"
-#include "tb/cosim/program.h"
-#include "tb/cosim/vectors.h"
-#include "tb/cosim/verilator_engine.h"
+// sweep_verilog DEVICE FORMAT [all|corners|beside|COUNT]: the exported Verilog, and the reference written by hand where
+// there is one, against the bit-accurate model. Exit 1 if they differ anywhere.
+//   all      every combination of legal codes of the enumerated ports
+//   corners  those within 1024 of an end or a corner of the last of them
+//   beside   every code of the other ports at every code of the last enumerated one
+//   COUNT    so many random ones
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include "tb/cosim/reference.h"
+#include "tb/inputs.h"
+#include "tb/program.h"
 #include "tb/progress.h"
 
+namespace blysk::cosim {
 namespace {
 
-int sweep(int argc, char** argv) {
-  using namespace blysk;
-  if (argc < 2 || argc > 3) throw std::invalid_argument("usage: sweep_verilog FORMAT [COUNT]");
-  device_options options;
-  options.format = argv[1];
-  const int fraction = fraction_bits(options);
-  const std::uint64_t count =
-      argc == 3 ? cosim::positive("COUNT", argv[2]) : 1000 * ((std::uint64_t{1} << fraction) + 1);
-  const auto verilog = cosim::make_verilator(options);
-  const auto model = bit::make_quadratic(options);
-  results got, expected;
-  std::uint64_t compared = 0;
+/// Verilog that is compared with the model.
+struct candidate {
+  std::string name;
+  std::unique_ptr<verilator_engine> verilog;
   std::uint64_t differences = 0;
-  {
-    progress bar(options.format, count);
-    const auto compare = [&](const batch& in) {
-      verilog->run(in, got);
-      model->run(in, expected);
-      for (std::size_t i = 0; i < in.size(); ++i) {
-        differences += got.brdf[i] != expected.brdf[i] || got.red[i] != expected.red[i] ||
-                       got.green[i] != expected.green[i] || got.blue[i] != expected.blue[i];
+};
+
+std::vector<std::int64_t> row_of(const columns& of, std::size_t row) {
+  std::vector<std::int64_t> codes;
+  for (const column& each : of) codes.push_back(each.get(row));
+  return codes;
+}
+
+class comparison {
+ public:
+  explicit comparison(const selection& asked)
+      : ports_(asked.of().ports(asked)), model_(asked.of().make_bit(asked)) {
+    candidates_.push_back({"exported", make_verilator(asked)});
+    if (auto reference = make_reference(asked)) candidates_.push_back({"reference", std::move(reference)});
+  }
+
+  void check(const columns& in) {
+    model_->run(in, expected_);
+    for (candidate& each : candidates_) {
+      each.verilog->run(in, got_);
+      if (got_ == expected_) continue;
+      for (std::size_t row = 0; row < in.size(); ++row) count_row(each, in, row);
+    }
+    compared_ += in.size();
+  }
+
+  /// \return  whether anything has been compared and nothing differs
+  bool report(const std::string& what) const {
+    bool same = compared_ > 0;
+    for (const candidate& each : candidates_) {
+      fmt::print("{}, {}: {} writes compared, {} differ\n", what, each.name, compared_, each.differences);
+      same = same && each.differences == 0;
+    }
+    return same;
+  }
+
+  std::uint64_t compared() const { return compared_; }
+
+ private:
+  void count_row(candidate& of, const columns& in, std::size_t row) {
+    const auto got = row_of(got_, row);
+    const auto expected = row_of(expected_, row);
+    if (got == expected) return;
+    if (++of.differences > 10) return;  // enough to see a pattern
+    fmt::print("{}: {} = {}: got {} = {}, expected {}\n", of.name, column_names(ports_, port::role::data),
+               fmt::join(row_of(in, row), ","), column_names(ports_, port::role::result), fmt::join(got, ","),
+               fmt::join(expected, ","));
+  }
+
+  std::vector<port> ports_;
+  std::unique_ptr<engine> model_;
+  std::vector<candidate> candidates_;
+  columns got_, expected_;
+  std::uint64_t compared_ = 0;
+};
+
+/// Every code of the ports that are not enumerated, each from another one on, at every code of the last enumerated port,
+/// the ones before it at their smallest.
+void for_codes_beside(const selection& asked, const use_batch& use) {
+  constexpr std::size_t kBatch = 4096;
+  const std::vector<port> data = of_role(asked.of().ports(asked), port::role::data);
+  const std::size_t enumerated = asked.of().enumerated();
+  std::int64_t most = 0;
+  for (std::size_t i = enumerated; i < data.size(); ++i)
+    most = std::max(most, data[i].carries->max - data[i].carries->min + 1);
+  columns in(data, port::role::data);
+  in.resize(kBatch);
+  std::size_t row = 0;
+  const wire_format& last = *data[enumerated - 1].carries;
+  for (std::int64_t code = last.min; code <= last.max; ++code) {
+    for (std::int64_t step = 0; step < most; ++step) {
+      for (std::size_t i = 0; i < data.size(); ++i) {
+        const wire_format& format = *data[i].carries;
+        const std::int64_t codes = format.max - format.min + 1;
+        const auto shift = static_cast<std::int64_t>(i) * codes / 3;
+        in[i].set(row, i + 1 < enumerated    ? format.min
+                       : i + 1 == enumerated ? code
+                                             : format.min + (step + shift) % codes);
       }
-      compared += in.size();
-      bar.advance(in.size());
-    };
-    if (argc == 3) {
-      cosim::for_random_inputs(fraction, count, 1, compare);
-    } else {
-      cosim::for_all_inputs(fraction, compare);
+      if (++row == kBatch) {
+        use(in);
+        row = 0;
+      }
     }
   }
-  fmt::print("{}: {} of {} writes compared, {} differ\n", options.format, compared, count, differences);
-  return compared == count && differences == 0 ? 0 : 1;
+  in.resize(row);
+  if (row > 0) use(in);
+}
+
+int sweep(const selection& asked, const std::string& which) {
+  comparison against_model(asked);
+  std::uint64_t count = 0;  // 0: nobody counts them before
+  const bool is_random = which != "all" && which != "corners" && which != "beside";
+  if (is_random) count = positive("COUNT", which);
+  if (which == "all") count = input_count(asked);
+  {
+    progress bar(asked.folder_name(), std::max<std::uint64_t>(count, 1));
+    const use_batch check = [&](const columns& in) {
+      against_model.check(in);
+      if (count > 0) bar.advance(in.size());
+    };
+    if (is_random) {
+      for_random_inputs(asked, count, 1, check);
+    } else if (which == "all") {
+      for_all_inputs(asked, check);
+    } else if (which == "corners") {
+      for_corner_inputs(asked, 1024, check);
+    } else {
+      for_codes_beside(asked, check);
+    }
+  }
+  const bool same = against_model.report(asked.folder_name());
+  return same && (count == 0 || against_model.compared() == count) ? 0 : 1;
 }
 
 }  // namespace
+}  // namespace blysk::cosim
 
 int main(int argc, char** argv) {
-  return blysk::cosim::program([&] { return sweep(argc, argv); });
+  blysk::device_arguments arguments;
+  std::string which = "all";
+  return blysk::run_program(
+      argc, argv,
+      "Compares the exported Verilog, and the reference written by hand, with the bit-accurate model",
+      [&](CLI::App& program) {
+        arguments.add_to(program);
+        program
+            .add_option("INPUTS", which,
+                        "all: every input; corners: those near ends and corners; beside: every code of the "
+                        "ports that "
+                        "are not enumerated; a number: so many random ones")
+            ->capture_default_str();
+      },
+      [&] { return blysk::cosim::sweep(arguments.chosen(), which); });
 }

@@ -1,31 +1,29 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tb/cosim/verilator_engine.h"
 
-#include "tb/device.h"
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "tb/cosim/verilated_table.h"
 
 namespace blysk::cosim {
 
-// Defined in quadratic_verilated.cpp and reference_verilated.cpp.
-template <int Fraction>
-std::unique_ptr<verilator_engine> make_quadratic();
-template <int Fraction>
-std::unique_ptr<verilator_engine> make_reference();
-
-std::unique_ptr<verilator_engine> make_verilator(const device_options& options) {
-  wire_constants(options);  // throws for what no device has
-  if (options.coefficient != device_options{}.coefficient || !options.constant.empty() ||
-      options.as_published) {
-    throw std::invalid_argument(
-        "engine verilator has the default coefficient, constant and lobe compiled in; export the device for "
-        "others");
+std::unique_ptr<verilator_engine> make_verilator(const selection& asked) {
+  if (!asked.is_preset()) {
+    throw std::invalid_argument(fmt::format(
+        "engine verilator has the presets compiled in ({}), expected those; export the device for others",
+        choose(asked.of().name(), asked.format()).text()));
   }
-  return visit_formats(options, []<class Q, lobe>() { return make_quadratic<Q::frac>(); });
-}
-
-std::unique_ptr<verilator_engine> make_reference(const std::string& format) {
-  device_options options;
-  options.format = format;
-  return visit_formats(options, []<class Q, lobe>() { return make_reference<Q::frac>(); });
+  const auto table = exported_table();
+  const auto found = std::ranges::find(table, asked.folder_name(), &verilated_entry::folder);
+  if (found == table.end()) {
+    throw std::invalid_argument(
+        fmt::format("engine verilator has no device {} in format {}, expected one that is built",
+                    asked.of().name(), asked.format()));
+  }
+  return found->make();
 }
 
 }  // namespace blysk::cosim

@@ -10,12 +10,18 @@
 #include <ctime>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <random>
 #include <span>
+#include <string>
+#include <systemc>
+#include <vector>
 
-#include "tb/bench/systemc_engine.h"
-#include "tb/bit/quadratic.h"
 #include "tb/golden/lobe.h"
+#include "tb/harness/systemc_engine.h"
+#include "tb/output_file.h"
+#include "tb/run_program.h"
+#include "tb/specular/specular.h"
 
 namespace {
 
@@ -25,19 +31,32 @@ constexpr std::size_t kColumn = 1024;  // elements whose columns stay in cache
 constexpr const char* kPerBareCycle = "results_per_bare_cycle";
 constexpr std::size_t kWrites = 100000;  // through SystemC, a time
 
-/// Random writes of q16, seed 1. Only cos changes, as along a scan line, or every register.
-batch random_writes(std::size_t size, bool all_registers) {
+/// The first device of the list, in a format.
+selection choose_device(const std::string& format) {
+  return choose(devices().front()->name(), format);
+}
+
+/// Random writes, seed 1. Only cos changes, as along a scan line, or every register.
+columns random_writes(const selection& asked, std::size_t size, bool all_registers) {
   std::mt19937 random(1);
-  batch writes;
+  columns writes(asked.of().ports(asked), port::role::data);
   writes.resize(size);
+  const std::uint32_t codes = (1u << asked.fraction()) + 1;
   for (std::size_t i = 0; i < size; ++i) {
-    writes.cos_delta[i] = static_cast<std::uint32_t>(random() % 65537);
-    writes.n[i] = static_cast<std::uint16_t>(all_registers ? 1 + random() % 1000 : 50);
-    writes.red_ks[i] = static_cast<std::uint8_t>(all_registers ? random() % 256 : 200);
-    writes.green_ks[i] = static_cast<std::uint8_t>(all_registers ? random() % 256 : 100);
-    writes.blue_ks[i] = static_cast<std::uint8_t>(all_registers ? random() % 256 : 50);
+    writes[specular::kCos].set(i, random() % codes);
+    writes[specular::kN].set(i, all_registers ? 1 + random() % 1000 : 50);
+    writes[specular::kRed].set(i, all_registers ? random() % 256 : 200);
+    writes[specular::kGreen].set(i, all_registers ? random() % 256 : 100);
+    writes[specular::kBlue].set(i, all_registers ? random() % 256 : 50);
   }
   return writes;
+}
+
+/// A column as real numbers.
+std::vector<double> reals(const column& from, double scale = 1) {
+  std::vector<double> values(from.size());
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] = from.real(i) * scale;
+  return values;
 }
 
 void set_items(benchmark::State& state, std::size_t items) {
@@ -46,16 +65,19 @@ void set_items(benchmark::State& state, std::size_t items) {
 
 /// Blinn's c^n by std::pow and its three colours, in double: what the device replaces.
 void golden_blinn(benchmark::State& state) {
-  const batch writes = random_writes(kColumn, true);
-  std::vector<double> n(writes.n.begin(), writes.n.end());
-  std::vector<double> c(kColumn), red(kColumn), green(kColumn), blue(kColumn);
-  for (std::size_t i = 0; i < kColumn; ++i) c[i] = writes.cos_delta[i] / 65536.0;
+  const columns writes = random_writes(choose_device("q16"), kColumn, true);
+  const std::vector<double> n = reals(writes[specular::kN]);
+  const std::vector<double> c = reals(writes[specular::kCos], 1 / 65536.0);
+  const std::vector<double> r = reals(writes[specular::kRed]);
+  const std::vector<double> g = reals(writes[specular::kGreen]);
+  const std::vector<double> b = reals(writes[specular::kBlue]);
+  std::vector<double> red(kColumn), green(kColumn), blue(kColumn);
   for (auto _ : state) {
     for (std::size_t i = 0; i < kColumn; ++i) {
       const double brdf = std::pow(c[i], n[i]);
-      red[i] = brdf * writes.red_ks[i];
-      green[i] = brdf * writes.green_ks[i];
-      blue[i] = brdf * writes.blue_ks[i];
+      red[i] = brdf * r[i];
+      green[i] = brdf * g[i];
+      blue[i] = brdf * b[i];
     }
     benchmark::ClobberMemory();
   }
@@ -64,9 +86,9 @@ void golden_blinn(benchmark::State& state) {
 
 /// The device's own formula in double, a picture at a time: one exponent, one BRDF an element.
 void golden_quadratic(benchmark::State& state) {
-  const batch writes = random_writes(kColumn, false);
-  std::vector<double> cosines(kColumn), brdf(kColumn);
-  for (std::size_t i = 0; i < kColumn; ++i) cosines[i] = writes.cos_delta[i] / 65536.0;
+  const columns writes = random_writes(choose_device("q16"), kColumn, false);
+  const std::vector<double> cosines = reals(writes[specular::kCos], 1 / 65536.0);
+  std::vector<double> brdf(kColumn);
   for (auto _ : state) {
     golden::evaluate(golden::lobe::quadratic_derived, 50.0, std::span<const double>(cosines),
                      std::span<double>(brdf));
@@ -75,11 +97,12 @@ void golden_quadratic(benchmark::State& state) {
   set_items(state, kColumn);
 }
 
-/// The engine as `simulate` calls it, with its copies into 64-bit results.
-void bit_engine(benchmark::State& state) {
-  const batch writes = random_writes(kColumn, true);
-  const auto device = bit::make_quadratic({});
-  results out;
+/// The engine as `simulate` calls it: columns in, columns out.
+void bit_engine(benchmark::State& state, const std::string& format) {
+  const selection asked = choose_device(format);
+  const columns writes = random_writes(asked, kColumn, true);
+  const auto device = asked.of().make_bit(asked);
+  columns out;
   for (auto _ : state) {
     device->run(writes, out);
     benchmark::ClobberMemory();
@@ -87,18 +110,14 @@ void bit_engine(benchmark::State& state) {
   set_items(state, kColumn);
 }
 
-template <class Q>
-void bit_kernel(benchmark::State& state) {
-  using formats = quadratic_formats<Q, lobe::clamped>;
-  using raw = bit::machine_int<typename formats::out>;
-  batch writes = random_writes(kColumn, true);
-  for (auto& code : writes.cos_delta) code = code % (static_cast<std::uint32_t>(formats::cos_delta::max) + 1);
-  std::vector<raw> brdf(kColumn), red(kColumn), green(kColumn), blue(kColumn);
-  const wired_constants wired = derived_line(formats::slope_bits);
+/// The same on the kernel whose word lengths are numbers of the moment.
+void bit_free(benchmark::State& state, const std::string& format) {
+  const selection asked = choose_device(format);
+  const columns writes = random_writes(asked, kColumn, true);
+  const auto device = asked.of().make_bit(asked, asked.of().widths(asked));
+  columns out;
   for (auto _ : state) {
-    bit::quadratic_vector<formats>(
-        wired, {writes.n.data(), writes.cos_delta.data(), writes.red_ks.data(), writes.green_ks.data(),
-                writes.blue_ks.data(), brdf.data(), red.data(), green.data(), blue.data(), kColumn});
+    device->run(writes, out);
     benchmark::ClobberMemory();
   }
   set_items(state, kColumn);
@@ -134,7 +153,7 @@ double seconds(Work&& work) {
 
 /// The least that a clocked SystemC model can be: a clock and one register.
 struct bare_clock : sc_core::sc_module {
-  sc_core::sc_clock clk{"clk", sc_core::sc_time(bench::kClockPeriodNs, sc_core::SC_NS)};
+  sc_core::sc_clock clk{"clk", sc_core::sc_time(harness::kClockPeriodNs, sc_core::SC_NS)};
   sc_core::sc_signal<sc_dt::sc_uint<16>> SC_NAMED(q);
   SC_CTOR(bare_clock) {
     SC_METHOD(count);
@@ -149,8 +168,8 @@ double bare_clock_seconds() {
   constexpr std::size_t kCycles = 500000;
   return seconds_in_child([] {
            bare_clock bare("bare");
-           sc_core::sc_start(bench::kClockPeriodNs, sc_core::SC_NS);
-           return seconds([] { sc_core::sc_start(bench::kClockPeriodNs * kCycles, sc_core::SC_NS); });
+           sc_core::sc_start(harness::kClockPeriodNs, sc_core::SC_NS);
+           return seconds([] { sc_core::sc_start(harness::kClockPeriodNs * kCycles, sc_core::SC_NS); });
          }) /
          kCycles;
 }
@@ -161,14 +180,18 @@ void systemc_device(benchmark::State& state, bool all_registers, bool traced) {
   for (auto _ : state) {
     const double bare = bare_clock_seconds();
     const double taken = seconds_in_child([&] {
-      const auto device = bench::make_systemc({});
-      const auto waves = std::filesystem::temp_directory_path() / fmt::format("blysk-bench-{}", getpid());
-      if (traced) device->trace(waves.string());
-      const batch writes = random_writes(count, all_registers);
-      results out;
-      device->run(random_writes(2, true), out);
+      const auto device = harness::make_systemc(choose_device("q16"));
+      std::optional<output_file> waves;  // never committed
+      if (traced) {
+        constexpr std::string_view ending = ".vcd";  // SystemC appends it
+        waves.emplace((std::filesystem::temp_directory_path() / "blysk-bench.vcd").string(), ending);
+        const std::string& path = waves->temporary_path();
+        device->trace(path.substr(0, path.size() - ending.size()));
+      }
+      const columns writes = random_writes(choose_device("q16"), count, all_registers);
+      columns out;
+      device->run(random_writes(choose_device("q16"), 2, true), out);
       const double device_seconds = seconds([&] { device->run(writes, out); });
-      if (traced) std::filesystem::remove(waves.string() + ".vcd");
       return device_seconds;
     });
     state.SetIterationTime(taken);
@@ -192,24 +215,17 @@ class rate_reporter : public benchmark::ConsoleReporter {
   std::map<std::string, double> rates, per_bare_cycle;
 };
 
-}  // namespace
-
-int sc_main(int, char**) {
-  return 0;
-}
-
-int main(int argc, char** argv) {
+int run(int argc, char** argv) {
   sc_core::sc_report_handler::set_actions(sc_core::SC_INFO, sc_core::SC_DO_NOTHING);
   const auto add = [](const char* name, auto function) {
     return benchmark::RegisterBenchmark(name, function)->Repetitions(9)->ReportAggregatesOnly();
   };
   add("golden_blinn", golden_blinn);
   add("golden_quadratic", golden_quadratic);
-  add("bit_engine", bit_engine);
-  add("bit_q8", bit_kernel<q8>);
-  add("bit_q16", bit_kernel<q16>);
-  add("bit_q22", bit_kernel<q22>);
-  add("bit_q24", bit_kernel<q24>);
+  for (const std::string format : {"q8", "q16", "q22", "q24"}) {
+    add(("bit_" + format).c_str(), [format](benchmark::State& state) { bit_engine(state, format); });
+    add(("bit_free_" + format).c_str(), [format](benchmark::State& state) { bit_free(state, format); });
+  }
   const auto add_device = [&](const char* name, bool all_registers, bool traced) {
     add(name, [=](benchmark::State& state) { systemc_device(state, all_registers, traced); })
         ->UseManualTime()
@@ -232,7 +248,8 @@ int main(int argc, char** argv) {
   ratio("bit q16 / golden Blinn (std::pow)", "bit_q16", "golden_blinn");
   ratio("bit q22 / golden Blinn (std::pow)", "bit_q22", "golden_blinn");
   ratio("bit q24 / golden Blinn (std::pow)", "bit_q24", "golden_blinn");
-  ratio("bit engine q16, copies included / golden Blinn (std::pow)", "bit_engine", "golden_blinn");
+  ratio("bit q16, word lengths at run time / golden Blinn (std::pow)", "bit_free_q16", "golden_blinn");
+  ratio("bit q24, word lengths at run time / golden Blinn (std::pow)", "bit_free_q24", "golden_blinn");
   ratio("golden quadratic, BRDF alone / golden Blinn (std::pow)", "golden_quadratic", "golden_blinn");
   const auto bare_ratio = [&](const char* what, const char* name) {
     if (reporter.per_bare_cycle.count(name) != 0)
@@ -242,4 +259,14 @@ int main(int argc, char** argv) {
   bare_ratio("systemc results, all registers written / cycle of bare clock", "systemc_all_registers");
   ratio("systemc without a VCD / with one (price of the waves)", "systemc_cos_only", "systemc_cos_only_vcd");
   return 0;
+}
+
+}  // namespace
+
+int sc_main(int, char**) {
+  return 0;
+}
+
+int main(int argc, char** argv) {
+  return blysk::run_program("bench_engines", [&] { return run(argc, argv); });
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// exported check|update DIRECTORY DEVICE FORMAT: rtl_verilog/ is what the SystemC model exports, or is made so.
+// exported check|update DIRECTORY DEVICE FORMAT: rtl_verilog/ is what the SystemC model exports, or is made so; a
+//   directory that is right already keeps its times.
 // exported replay DIRECTORY DEVICE FORMAT [--OPTION [VALUE]]...: the export of the device with its options, and below
 //   replay/ a run of the SystemC device for a Verilog simulator to repeat.
 // A process elaborates one device. Exit 1 if the directory holds anything else.
@@ -12,6 +13,7 @@
 #include "tb/export/export.h"
 #include "tb/export/replay.h"
 #include "tb/netlist/elaborated.h"
+#include "tb/program.h"
 
 namespace {
 
@@ -29,44 +31,44 @@ files read_directory(const fs::path& directory) {
   return result;
 }
 
-int check(const files& exported, const fs::path& directory) {
-  const files there = read_directory(directory);
-  int differences = 0;
+/// Prints how the directory differs from the export.
+bool is_current(const files& exported, const files& there) {
+  bool same = true;
   for (const auto& [name, text] : exported) {
     const auto found = there.find(name);
     if (found != there.end() && found->second == text) continue;
     fmt::print("{}: {}\n", name, found == there.end() ? "missing" : "differs");
-    ++differences;
+    same = false;
   }
   for (const auto& [name, text] : there) {
     if (exported.contains(name)) continue;
     fmt::print("{}: not exported\n", name);
-    ++differences;
+    same = false;
   }
-  return differences == 0 ? 0 : 1;
+  return same;
 }
 
-selection parse(int argc, char** argv) {
+/// \param words  "--coefficient published --as-published"
+std::map<std::string, std::string> parse(const std::vector<std::string>& words) {
   std::map<std::string, std::string> options;
-  for (int i = 5; i < argc; ++i) {
-    const std::string_view word = argv[i];
-    if (!word.starts_with("--")) throw std::invalid_argument(fmt::format("{} is not an option", word));
-    const bool has_value = i + 1 < argc && argv[i + 1][0] != '-';
-    options[std::string(word.substr(2))] = has_value ? argv[++i] : "on";
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (!words[i].starts_with("--"))
+      throw std::invalid_argument(fmt::format("{} is not an option, expected --OPTION [VALUE]", words[i]));
+    const std::string name = words[i].substr(2);
+    const bool has_value = i + 1 < words.size() && !words[i + 1].starts_with("-");
+    options[name] = has_value ? words[++i] : "on";
   }
-  return choose(argv[3], argv[4], options);
+  return options;
 }
 
-int run(int argc, char** argv) {
-  if (argc < 5)
-    throw std::invalid_argument("usage: exported check|update|replay DIRECTORY DEVICE FORMAT [OPTION...]");
-  const std::string action = argv[1];
-  const fs::path directory = argv[2];
-  const selection asked = parse(argc, argv);
+int run(const std::string& action, const fs::path& directory, const selection& asked) {
   const auto device = asked.of().elaborate(asked, 0);
   const files exported = export_files(*device, asked.top_name(), asked.text());
-  if (action == "check") return check(exported, directory);
-  if (action == "update") fs::remove_all(directory);
+  if (action == "check") return is_current(exported, read_directory(directory)) ? 0 : 1;
+  if (action == "update") {
+    if (read_directory(directory) == exported) return 0;
+    fs::remove_all(directory);
+  }
   fs::create_directories(directory);
   write_files(exported, directory);
   if (action == "replay") {
@@ -79,15 +81,23 @@ int run(int argc, char** argv) {
 
 }  // namespace
 
-int sc_main(int, char**) {
-  return 0;
-}  // SystemC's library asks for one
-
 int main(int argc, char** argv) {
-  try {
-    return run(argc, argv);
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "exported: {}\n", error.what());
-    return 2;
-  }
+  std::string action, directory;
+  device_arguments arguments;
+  CLI::App* parsed = nullptr;
+  return run_program(
+      argc, argv, "Compares a directory with what the SystemC model exports, or writes it",
+      [&](CLI::App& program) {
+        parsed = &program;
+        program.add_option("ACTION", action, "check, update or replay")
+            ->required()
+            ->check(CLI::IsMember({"check", "update", "replay"}));
+        program.add_option("DIRECTORY", directory, "of the Verilog")->required();
+        arguments.add_to(program);
+        program.allow_extras();
+        program.footer("With replay the device's own options may follow, as blysk export has them.");
+      },
+      [&] {
+        return run(action, directory, choose(arguments.device, arguments.format, parse(parsed->remaining())));
+      });
 }

@@ -1,9 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# together.sh RTL_VERILOG DEVICE FORMAT...: one design that holds the device in these formats is read without a word.
+# together.sh VERILOG_FOLDER...: one design that holds all these exports, <device>_<format> each, is read without a word.
 set -euo pipefail
-rtl=$(readlink -f "$1")
-device=$2
 lint=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/lint.sh
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
@@ -11,9 +9,10 @@ trap 'rm -rf "$folder"' EXIT
 joined() { (IFS=, && echo "$*"); }
 ports=()
 instances=()
-for format in "${@:3}"; do
-  top=blysk_${device}_$format
-  cp "$rtl/${device}_$format"/*.v "$folder"
+for export in "$@"; do
+  format=$(basename "$export")
+  top=blysk_$format
+  cp "$export"/*.v "$folder"
   connections=()
   while read -r port; do # "input  wire [7:0] r_i"
     ports+=("${port}_$format")

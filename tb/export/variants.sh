@@ -1,16 +1,17 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# variants.sh EXPORTED DEVICE FORMAT...: exports the device with its options, those of devices/DEVICE.variants, lints it,
-# and has Icarus repeat a run of the SystemC device.
+# variants.sh EXPORTED VARIANTS DEVICE FORMAT...: exports the device with its options, a line of VARIANTS each, lints it, and
+# has Icarus repeat a run of the SystemC device.
 set -euo pipefail
 exported=$1
-device=$2
+variants=$2
+device=$3
 here=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 
 while read -ra options; do
-  for format in "${@:3}"; do
+  for format in "${@:4}"; do
     out=$folder/$format
     rm -rf "$out"
     "$exported" replay "$out" "$device" "$format" "${options[@]}"
@@ -21,4 +22,4 @@ while read -ra options; do
       exit 1
     fi
   done
-done <"$here/devices/${device//-/_}.variants"
+done <"$variants"

@@ -5,7 +5,8 @@
 /// q the value of cos^n at which both meet, (0, 1); x the angle from the lobe's axis, rad, [0, pi/2].
 #pragma once
 
-#include <boost/math/quadrature/gauss_kronrod.hpp>
+#include <algorithm>
+#include <boost/math/quadrature/tanh_sinh.hpp>
 #include <cmath>
 #include <span>
 
@@ -36,10 +37,19 @@ Real angle_limit(const Real& n, const Real& k, const Real& q) {
 }
 
 /// cos^k(y), zero from pi/2 on, y = angle_scale x. In [0, 1].
+/// Below pi/4 as exp(k ln(1 - sin^2 y) / 2): cos(y) near 1 rounds away what a large k multiplies. Above as it stands:
+/// there ln(1 - sin^2 y) would cancel, and cos(y) is off by no more than k tan(y) y has anyway.
 template <class Real>
 Real angle_lobe_scaled(const Real& k, const Real& y) {
   using std::cos;
+  using std::exp;
+  using std::log1p;
   using std::pow;
+  using std::sin;
+  if (y < pi<Real>() / 4) {
+    const Real s = sin(y);
+    return exp(Real(k / 2 * log1p(Real(-(s * s)))));
+  }
   return y < pi<Real>() / 2 ? Real(pow(Real(cos(y)), k)) : Real(0);
 }
 
@@ -57,24 +67,29 @@ Real angle_lobe(const Real& n, const Real& k, const Real& q, const Real& x) {
 void angle_lobe(double n, double k, double q, std::span<const double> angles, std::span<double> out);
 void angle_lobe(float n, float k, float q, std::span<const float> angles, std::span<float> out);
 
+/// integral from 0 to `end` of cos^k(y) sin(2 y / scale) dy, `end` in [0, pi/2], by tanh-sinh quadrature: its nodes
+/// crowd at both ends, where cos^k is singular for k that is not whole (pi/2) and where it is narrow for large k (0).
+template <class Real>
+Real angle_moment(const Real& k, const Real& scale, const Real& end) {
+  using std::sin;
+  static boost::math::quadrature::tanh_sinh<Real> rule;  // finds its nodes once; it locks while it adds some
+  return rule.integrate(
+      [&](const Real& y) { return Real(angle_lobe_scaled(k, y) * sin(Real(2 * y / scale))); }, Real(0), end);
+}
+
 /// Int = integral from 0 to `limit` of cos^k(angle_scale x) cos x sin x dx, `limit` <= angle_limit.   [A]
-/// Gauss-Kronrod, 61 points, in y = angle_scale x, where the integrand is smooth.
 template <class Real>
 Real angle_integral(const Real& n, const Real& k, const Real& q, const Real& limit) {
-  using std::cos;
-  using std::pow;
-  using std::sin;
+  using std::min;
   const Real scale = angle_scale(n, k, q);
-  const auto integrand = [&](const Real& y) { return Real(pow(Real(cos(y)), k) * sin(Real(2 * y / scale))); };
-  return boost::math::quadrature::gauss_kronrod<Real, 61>::integrate(integrand, Real(0),
-                                                                     Real(scale * limit)) /
-         (2 * scale);
+  return angle_moment(k, scale, min(Real(scale * limit), Real(pi<Real>() / 2))) / (2 * scale);
 }
 
 /// 1 / (2 pi Int), Int up to angle_limit as [A] has it, even where that passes pi/2.   [A]
 template <class Real>
 Real angle_coefficient_exact(const Real& n, const Real& k, const Real& q) {
-  return 1 / (2 * pi<Real>() * angle_integral(n, k, q, angle_limit(n, k, q)));
+  const Real scale = angle_scale(n, k, q);
+  return scale / (pi<Real>() * angle_moment(k, scale, Real(pi<Real>() / 2)));
 }
 
 /// Fitted normalisation, one formula for q in [0.1, 0.4], another for q in [0.5, 0.9].   [A]

@@ -16,6 +16,15 @@ enum class lobe_axis {
   mirror,       ///< between the outgoing ray and the mirror direction: [A]'s integral takes it so
 };
 
+/// What a lobe is beyond 90 degrees from the mirror direction, where its cosine is negative and oblique light still
+/// leaves the surface. The half vector never gets there. It matters for lobes that are not 0 at 90 degrees: the
+/// cosine-quadratic below n = 2, lyon-K below n = K, the angle-based lobe below n = k.
+enum class beyond_right_angle {
+  dark,     ///< 0, as Phong's max(0, R . V)^n: what `reflectance` takes
+  clipped,  ///< its value at 90 degrees: a device that is given the cosine cut to [0, 1]
+  formula,  ///< the formula at the negative cosine, cut at 0
+};
+
 /// Weight w(alpha) with R = integral of lobe(alpha) w(alpha) d alpha over [0, pi/2]: the integral over the
 /// azimuth around the lobe's axis, in closed form.
 ///
@@ -23,7 +32,7 @@ enum class lobe_axis {
 ///              o.h = x = a + b cos(phi), a = cos(theta_i) cos(alpha), b = sin(theta_i) sin(alpha).
 /// mirror:      cos(theta_o) = a + b cos(phi).
 /// Either is integrated as far as cos(theta_o) > 0.
-/// \param alpha      angle from the axis, rad, [0, pi/2]
+/// \param alpha      angle from the axis, rad; [0, pi/2] for half_vector, [0, pi] for mirror
 /// \param incidence  theta_i, rad, [0, pi/2)
 inline double reflectance_weight(lobe_axis axis, double alpha, double incidence) {
   const double a = std::cos(incidence) * std::cos(alpha);
@@ -39,7 +48,8 @@ inline double reflectance_weight(lobe_axis axis, double alpha, double incidence)
   return 8 * std::sin(alpha) * (2 * std::cos(alpha) * second - std::cos(incidence) * first);
 }
 
-/// R for a lobe given as a function of its angle, by adaptive Gauss-Kronrod quadrature.
+/// R for a lobe given as a function of its angle, by adaptive Gauss-Kronrod quadrature; for the mirror direction with
+/// beyond_right_angle::dark.
 /// \param lobe       f(alpha), alpha in rad, [0, pi/2]
 /// \param incidence  theta_i, rad, [0, pi/2)
 /// \param root       where the lobe ends or has a kink, rad, [0, pi/2]; pi/2 if nowhere
@@ -61,6 +71,20 @@ double reflectance(const Lobe& lobe, lobe_axis axis, double incidence, double ro
                                                                            12, 1e-10);
   }
   return sum;
+}
+
+/// What the angles beyond 90 degrees from the mirror direction add to `reflectance`.
+/// \param lobe       f(alpha), alpha in rad, [pi/2, pi/2 + incidence]: the constant f(pi/2) for
+///                   beyond_right_angle::clipped, the lobe itself for beyond_right_angle::formula
+/// \param incidence  theta_i, rad, [0, pi/2)
+/// \return  relative error below 1e-9
+template <class Lobe>
+double reflectance_beyond(const Lobe& lobe, double incidence) {
+  constexpr double kHalfPi = boost::math::constants::half_pi<double>();
+  if (!(incidence > 0)) return 0;
+  return boost::math::quadrature::gauss_kronrod<double, 31>::integrate(
+      [&](double alpha) { return lobe(alpha) * reflectance_weight(lobe_axis::mirror, alpha, incidence); },
+      kHalfPi, kHalfPi + incidence, 12, 1e-10);
 }
 
 /// R for a lobe given as a function of the cosine of its angle.

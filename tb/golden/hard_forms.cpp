@@ -139,6 +139,18 @@ std::vector<hard_form> make_forms() {
       {"power", "exp(n ln c)", "pow(c, n)", "c, n = 1000"}, steps(0.5, 0.9993, 499),
       [](auto c) { return naive::power(decltype(c)(1000), c); },
       [](auto c) { return blinn(decltype(c)(1000), c); }, 87, 692));
+  // cos(y) is off by half a roundoff, k times.
+  result.push_back(make(
+      {"angle_lobe", "cos^k(y)", "exp(k ln(1 - sin^2 y)/2)", "y, k = 1000"}, steps(0.0003, 0.15, 499),
+      [](auto y) { return naive::angle_lobe_scaled(decltype(y)(1000), y); },
+      [](auto y) { return angle_lobe_scaled(decltype(y)(1000), y); }, 500, 500));
+  // c^n has a spacing of the smallest numbers, half of which the factor, 40, multiplies; the product is normal.
+  std::vector<double> underflow = steps(0.9130, 0.9165, 350);
+  for (const double c : steps(0.4906, 0.4925, 190)) underflow.push_back(c);
+  result.push_back(make(
+      {"blinn_normalised", "(n + 6)/(8 pi) c^n", "(n + 6)/(8 pi) c^(n/2) c^(n/2)", "c, n = 1000"}, underflow,
+      [](auto c) { return naive::blinn_normalised(decltype(c)(1000), c); },
+      [](auto c) { return blinn_normalised(decltype(c)(1000), c); }, 40, 40));
   // 0 / 0.
   result.push_back(make(
       {"opposite", "N . (L + V)/|L + V|", "0 where |L + V| is rounding alone", "|L|, V = -L, N = L"}, {1},

@@ -19,9 +19,11 @@ Real blinn(const Real& n, const Real& c) {
 }
 
 /// (n + 6) / (8 pi) c^n.   [T] fig. 2.16. In [0, (n + 6) / (8 pi)].
+/// By c^(n/2) twice: c^n may leave the normal numbers, and lose its digits, where the factor lifts the product back.
 template <class Real>
 Real blinn_normalised(const Real& n, const Real& c) {
-  return (n + 6) / (8 * pi<Real>()) * blinn(n, c);
+  const Real half = blinn(Real(n / 2), c);
+  return (n + 6) / (8 * pi<Real>()) * half * half;
 }
 
 /// c / (n - n c + c), its denominator as n (1 - c) + c.   [T] (1.5) (2.1). In [0, 1].
@@ -46,6 +48,15 @@ Real versine(const Real& y) {
   using std::sin;
   const Real s = sin(Real(y / 2));
   return 2 * s * s;
+}
+
+/// cos^a x / (n - n cos x + cos x), the form of [T] table 3.2 and section 3.4; its a is given nowhere.
+/// In [0, 1].
+/// \param a  power of the cosine, >= 0
+template <class Real>
+Real schlick_power(const Real& n, const Real& a, const Real& c) {
+  using std::pow;
+  return pow(c, a) / (n * (1 - c) + c);
 }
 
 /// What [T] (2.2) prints as "0.5 n (1 - cos gamma^2)", gamma = acos(c), can be read in four ways.
@@ -164,14 +175,14 @@ struct rational_lobe {
   Real r;  ///< reciprocal of the distance 1 - c of the root from the peak
   Real s;  ///< slope at the peak
 
-  /// Meets c^n at the levels 0.507 and 0.057. Where the error of (1 - r y)/(1 - r y + s y) against e^-y,
-  /// the limit of large n, is least in the maximum norm (0.0279), it vanishes at these levels.
+  /// Meets c^n at the levels 0.425856 and 0.050698: there the error of (1 - r y)/(1 - r y + s y) against e^-y, the
+  /// limit of large n, vanishes where its maximum, 0.024798, is least (docs/numerics.md has the proof).
   explicit rational_lobe(const Real& n) {
     using std::expm1;
     using std::log;
     // At level v, u = 1 - v^(1/n):   r u (1 - v) + s u v = 1 - v.
-    const Real v0 = Real(507) / 1000;
-    const Real v1 = Real(57) / 1000;
+    const Real v0 = Real(425856) / 1000000;
+    const Real v1 = Real(50698) / 1000000;
     const Real u0 = -expm1(Real(log(v0) / n));
     const Real u1 = -expm1(Real(log(v1) / n));
     const Real ratio0 = v0 / (1 - v0);

@@ -110,6 +110,20 @@ Real power(const Real& n, const Real& c) {
   return exp(n * log(c));
 }
 
+/// (n + 6)/(8 pi) c^n as it stands.   [T] fig. 2.16. Stable: blinn_normalised.
+template <class Real>
+Real blinn_normalised(const Real& n, const Real& c) {
+  return (n + 6) / (8 * pi<Real>()) * blinn(n, c);
+}
+
+/// cos^k(y) as it stands.   [A]. Stable: angle_lobe_scaled.
+template <class Real>
+Real angle_lobe_scaled(const Real& k, const Real& y) {
+  using std::cos;
+  using std::pow;
+  return pow(Real(cos(y)), k);
+}
+
 /// (L + V) / |L + V|; 0/0 for opposite vectors. Stable: half_vector.
 template <class Real>
 vec3<Real> half_vector(const vec3<Real>& light, const vec3<Real>& view) {

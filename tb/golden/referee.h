@@ -27,10 +27,10 @@ referee ulp_of(const referee& x) {
   return ldexp(referee(std::numeric_limits<Real>::epsilon()), exponent);
 }
 
-/// What a count of roundoffs allows: bounds are first order, and every intermediate stays within 2^-11 of its
-/// exact value (the worst is the slope of the rational lobe in float: 60 / 0.28 roundoffs, 1.3e-5), so the
-/// higher orders add less than 2^-10 of the bound. Below the normal numbers one spacing of theirs comes on
-/// top.
+/// What a count of roundoffs allows: bounds are first order, and every intermediate stays within 2^-11 of its exact value,
+/// so the higher orders add less than 2^-10 of the bound. The worst, both in float: the slope of the rational lobe,
+/// 60 / 0.27 roundoffs, 1.3e-5; the angle-based lobe where it leaves the normal numbers, whose condition number is
+/// 2 * 88 there, 22 * 176 roundoffs, 2.3e-4. Below the normal numbers one spacing of theirs comes on top.
 template <class Real>
 referee allowed_error(const referee& roundoffs) {
   return roundoffs * roundoff<Real>() * (1 + referee(1) / 1024) +

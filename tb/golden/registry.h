@@ -9,7 +9,7 @@ namespace blysk::golden {
 
 struct model {
   std::string_view name;     ///< as in the command line, for example "quadratic-derived"
-  std::string_view header;   ///< CSV columns of one point: "n,cos", "n,k,q,x" or "n,k,q"
+  std::string_view header;   ///< CSV columns of one point, for example "n,cos"
   std::string_view formula;  ///< one line
   std::string_view source;   ///< document and formula number
 

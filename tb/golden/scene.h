@@ -10,6 +10,7 @@
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 #include "tb/golden/lobe.h"
 
@@ -29,12 +30,35 @@ Real dot(const vec3<Real>& a, const vec3<Real>& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
-/// a / |a|; a itself when it is zero.
+/// The direction of a vector whose square leaves the normal numbers: scaled by a power of two, which rounds nothing,
+/// to a largest component in [1, 2). Infinite components outweigh the others and count as equal.
+/// \return  a unit vector; zero for the zero vector and for one with a NaN, which have no direction
+template <class Real>
+vec3<Real> direction_of_extreme(const vec3<Real>& a) {
+  static_assert(std::is_floating_point_v<Real>);
+  const Real largest = std::max({std::abs(a.x), std::abs(a.y), std::abs(a.z)});
+  if (std::isnan(a.x) || std::isnan(a.y) || std::isnan(a.z) || largest == 0) return {0, 0, 0};
+  const auto scaled = [&](Real component) {
+    if (std::isinf(largest)) return std::isinf(component) ? std::copysign(Real(1), component) : Real(0);
+    return std::scalbn(component, -std::ilogb(largest));
+  };
+  const vec3<Real> b{scaled(a.x), scaled(a.y), scaled(a.z)};
+  return Real(1 / std::sqrt(dot(b, b))) * b;
+}
+
+/// a / |a|. The zero vector for zero and for a NaN: a picture then has no light there rather than no number.
 template <class Real>
 vec3<Real> normalised(const vec3<Real>& a) {
   using std::sqrt;
-  const Real length = sqrt(dot(a, a));
-  return length > 0 ? Real(1 / length) * a : a;
+  const Real square = dot(a, a);
+  if constexpr (std::is_floating_point_v<Real>) {
+    // Below, components vanish whose squares would count; above, the square is infinite.
+    constexpr Real kLeast = std::numeric_limits<Real>::min() / std::numeric_limits<Real>::epsilon();
+    if (!(square >= kLeast && square <= std::numeric_limits<Real>::max())) return direction_of_extreme(a);
+  } else {
+    if (!(square > 0)) return a;
+  }
+  return Real(1 / Real(sqrt(square))) * a;
 }
 
 /// cos of the angle between unit vectors, cut to [0, 1]: rounding may put it a little outside, and a negative
@@ -131,8 +155,11 @@ Real facets(facet_distribution which, const Real& c, const Real& m) {
   const Real c2 = c * c;
   const Real divisor = m * m * c2 * c2;
   if (!(divisor > 0)) return Real(0);  // c is 0 or underflows, and the exponential wins over c^-4
+  // The root of the exponential twice: the exponential itself may leave the normal numbers where the divisor, down to
+  // m^2 c^4, lifts the quotient back.
   const Real tan2 = (1 - c) * (1 + c) / c2;
-  return exp(Real(-tan2 / (m * m))) / divisor;
+  const Real root = exp(Real(-tan2 / (2 * m * m)));
+  return root / divisor * root;
 }
 
 /// Reflectance F of a smooth dielectric for unpolarised light (Cook and Torrance 1982).   In [0, 1].
@@ -161,6 +188,14 @@ Real shadowing(const Real& nh, const Real& vh, const Real& nl, const Real& nv) {
   return min(Real(1 / nv), min(slope, Real(slope * nl / nv)));
 }
 
+/// R_s = F D G / (N . V) from the cosines of its angles.   [T] (1.4)
+/// \param nh, vh, nl, nv  N.H, V.H, N.L, N.V, each in (0, 1]
+template <class Real>
+Real cook_torrance_of_cosines(facet_distribution distribution, const Real& m, const Real& index,
+                              const Real& nh, const Real& vh, const Real& nl, const Real& nv) {
+  return fresnel(vh, index) * facets(distribution, nh, m) * shadowing(nh, vh, nl, nv);
+}
+
 /// R_s = F D G / (N . V).   [T] (1.4)
 /// \return  >= 0; 0 where light or view is behind the surface
 template <class Real>
@@ -173,7 +208,7 @@ Real cook_torrance(facet_distribution distribution, const Real& m, const Real& i
   if (!(nh > 0 && vh > 0)) return Real(0);
   const Real nv = dot(normal, view);
   const Real nl = dot(normal, light);
-  return fresnel(vh, index) * facets(distribution, nh, m) * shadowing(nh, vh, nl, nv);
+  return cook_torrance_of_cosines(distribution, m, index, nh, vh, nl, nv);
 }
 
 /// R = s R_s + d R_d with d = 1 - s and, by Lambert's law, R_d = max(0, N . L).   [T] (1.3)

@@ -66,7 +66,8 @@ class host : public sc_core::sc_module {
     in_ = &in;
     out_ = &out;
     next_ = 0;
-    start(2 * (in.size() + 1));
+    waits_ = 0;
+    start((2 + settling_cycles()) * (in.size() + 1));
     in_ = nullptr;
     writes_ += in.size() + 1;
   }
@@ -94,7 +95,12 @@ class host : public sc_core::sc_module {
   void drive() {
     if (in_ == nullptr) return;
     const channel& confirming = trailing_.front();
-    if (confirming.strobe->read() == 0) {
+    if (waits_ > 0) {  // the outputs have not settled
+      --waits_;
+      for (const channel& each : level_) {
+        if (each.strobe->read() != 0) each.strobe->write(0);
+      }
+    } else if (confirming.strobe->read() == 0) {
       confirming.strobe->write(1);
       for (const channel& each : level_) {
         if (each.strobe->read() != 0) each.strobe->write(0);
@@ -106,8 +112,11 @@ class host : public sc_core::sc_module {
         for (const channel& each : level_) put(each, (*in_)[each.column].get(next_));
       }
       ++next_;
+      waits_ = settling_cycles();
     }
   }
+
+  std::uint64_t settling_cycles() const { return static_cast<std::uint64_t>(valid_->what.settling_cycles); }
 
   // A register that holds the value already is not written again.
   static void put(const channel& to, std::int64_t value) {
@@ -129,6 +138,7 @@ class host : public sc_core::sc_module {
   const columns* in_ = nullptr;
   columns* out_ = nullptr;
   std::size_t next_ = 0;
+  std::uint64_t waits_ = 0;
   std::uint64_t cycles_ = 0;
   std::uint64_t writes_ = 0;
 };
@@ -161,7 +171,8 @@ class engine_of_host final : public systemc_engine {
 
   bool stop_trace() override {
     if (file_ == nullptr) return true;
-    if (host_.cycles() == 0) sc_core::sc_start(sc_core::SC_ZERO_TIME);  // the state at 0
+    // SystemC writes the state at 0 as time goes on.
+    if (host_.cycles() == 0) sc_core::sc_start(1, sc_core::SC_PS);
     sc_core::sc_close_vcd_trace_file(file_);
     file_ = nullptr;
     return ends_at(path_, sc_core::sc_time_stamp() / sc_core::sc_time(1, sc_core::SC_PS));
@@ -190,7 +201,7 @@ bool ends_at(const std::string& vcd, double now_ps) {
   const auto stamp = tail.rfind("\n#");
   if (!tail.ends_with('\n')) return false;
   // The values at 0 stand in $dumpvars, without a time.
-  if (stamp == std::string::npos) return now_ps == 0 && tail.find("\n$end\n") != std::string::npos;
+  if (stamp == std::string::npos) return now_ps <= 1 && tail.find("$dumpvars") != std::string::npos;
   return std::strtod(tail.c_str() + stamp + 2, nullptr) + kClockPeriodNs * 1e3 >= now_ps;
 }
 

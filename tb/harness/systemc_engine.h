@@ -14,7 +14,7 @@ inline constexpr double kClockPeriodNs = 10;
 
 /// A device elaborated in SystemC, with clock, strobes and a monitor at its valid port.
 ///
-/// Every write takes two clock cycles: strobes change with the falling edges of clk, the strobe that writes by its
+/// Every write takes two clock cycles, and as many more as the device says that it needs to settle: strobes change with the falling edges of clk, the strobe that writes by its
 /// trailing edge goes up and down again, the others go up as it goes down if their value changes. The monitor reads the
 /// results at the next leading edge of the valid port.
 /// SystemC elaborates once: a process makes one engine and makes it before it runs any.

@@ -183,6 +183,7 @@ class elaborated::binder {
   void valid(Member member, const pin&) {
     bind_output(member);
   }
+  void settles_after(int) {}
 
  private:
   template <class Class, class T>

@@ -33,6 +33,10 @@ bool is_constant(const expression& a) {
   return a.root()->op == operation::constant;
 }
 
+bool is_zero(const expression& a) {
+  return is_constant(a) && a.root()->low == 0;
+}
+
 expression make_constant(wide_int value) {
   return make(operation::constant, {}, value, value);
 }
@@ -75,6 +79,8 @@ expression expression::parameter(const std::string& name) {
 }
 
 expression operator+(const expression& a, const expression& b) {
+  if (is_zero(a)) return b;
+  if (is_zero(b)) return a;
   return make(operation::add, {a, b}, a.root()->low + b.root()->low, a.root()->high + b.root()->high);
 }
 

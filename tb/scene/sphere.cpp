@@ -2,6 +2,7 @@
 // The main job: a lit sphere whose highlight the SystemC device computes, pixel by pixel, beside Blinn's.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <sysc/tracing/sc_tracing_ids.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -16,12 +17,15 @@
 #include <set>
 #include <systemc>
 
-#include "tb/bench/systemc_engine.h"
-#include "tb/files.h"
+#include "tb/device_arguments.h"
 #include "tb/golden/lobe_formulas.h"
 #include "tb/golden/sphere.h"
+#include "tb/harness/systemc_engine.h"
+#include "tb/output_file.h"
 #include "tb/progress.h"
+#include "tb/run_program.h"
 #include "tb/scene/picture.h"
+#include "tb/specular/specular.h"
 
 namespace {
 
@@ -29,7 +33,7 @@ using namespace blysk;
 using scene::picture;
 
 struct options {
-  device_options device;
+  asked_device device;
   std::filesystem::path output = "out";
   std::vector<int> exponents{1, 10, 50, 200, 1000};
   int side = 512;
@@ -52,15 +56,22 @@ struct sample {
   double cos_delta;  // N.H, [0, 1]; 0 where the light is behind the surface
 };
 
-/// The text as one word of a shell.
+/// The text as one word of a shell, printable.
 std::string as_word(const std::string& text) {
   const auto is_plain = [](unsigned char c) {
     return std::isalnum(c) != 0 || std::strchr("/._-", c) != nullptr;
   };
   if (std::all_of(text.begin(), text.end(), is_plain)) return text;
-  std::string word = "'";
-  for (const char c : text) word += c == '\'' ? "'\\''" : std::string(1, c);
-  return word + "'";
+  std::string word;
+  if (printable(text) == text) {
+    for (const char c : text) word += c == '\'' ? "'\\''" : std::string(1, c);
+    return "'" + word + "'";
+  }
+  for (const char c : text) {
+    word += is_plain(static_cast<unsigned char>(c)) ? std::string(1, c)
+                                                    : fmt::format("\\x{:02X}", static_cast<std::uint8_t>(c));
+  }
+  return "$'" + word + "'";
 }
 
 /// The exponent of the waves: in the middle of those asked for.
@@ -98,37 +109,36 @@ rgb scaled(double brdf) {
   return {brdf * kSpecular[0], brdf * kSpecular[1], brdf * kSpecular[2]};
 }
 
-/// Writes every sample with exponent n into the device and reads the colours back at the valid edge.
-results compute_highlights(bench::systemc_engine& device, const std::vector<sample>& samples, int n,
-                           double scale) {
-  batch writes;
-  writes.resize(samples.size());
-  std::fill(writes.n.begin(), writes.n.end(), static_cast<std::uint16_t>(n));
-  std::fill(writes.red_ks.begin(), writes.red_ks.end(), kSpecular[0]);
-  std::fill(writes.green_ks.begin(), writes.green_ks.end(), kSpecular[1]);
-  std::fill(writes.blue_ks.begin(), writes.blue_ks.end(), kSpecular[2]);
-  std::transform(samples.begin(), samples.end(), writes.cos_delta.begin(), [scale](const sample& s) {
-    return static_cast<std::uint32_t>(std::floor(s.cos_delta * scale + 0.5));
-  });
-
-  results all, part;
-  progress shown(fmt::format("simulating n = {}", n), writes.size());
-  for (std::size_t first = 0; first < writes.size();) {
-    const std::size_t size = std::min<std::size_t>(16384, writes.size() - first);
-    const auto slice = [first, size](const auto& column) {
-      const auto begin = column.begin() + static_cast<std::ptrdiff_t>(first);
-      return std::decay_t<decltype(column)>(begin, begin + static_cast<std::ptrdiff_t>(size));
-    };
-    device.run({slice(writes.n), slice(writes.cos_delta), slice(writes.red_ks), slice(writes.green_ks),
-                slice(writes.blue_ks)},
-               part);
-    all.red.insert(all.red.end(), part.red.begin(), part.red.end());
-    all.green.insert(all.green.end(), part.green.begin(), part.green.end());
-    all.blue.insert(all.blue.end(), part.blue.begin(), part.blue.end());
-    first += size;
-    shown.advance(size);
+/// The highlight of every sample with exponent n, 0..255 by channel: each is a write.
+std::vector<rgb> compute_highlights(engine& device, const std::vector<port>& ports,
+                                    const std::vector<sample>& samples, int n) {
+  constexpr std::size_t kChunk = 16384;
+  const std::vector<port> of = of_role(ports, port::role::result);
+  const double scale = std::ldexp(1.0, of_role(ports, port::role::data)[specular::kCos].carries->frac);
+  columns writes(ports, port::role::data);
+  columns results;
+  std::vector<rgb> colours;
+  progress shown(fmt::format("simulating n = {}", n), samples.size());
+  for (std::size_t first = 0; first < samples.size(); first += writes.size()) {
+    writes.resize(std::min(kChunk, samples.size() - first));
+    for (std::size_t i = 0; i < writes.size(); ++i) {
+      writes[specular::kN].set(i, n);
+      writes[specular::kCos].set(i, std::llround(samples[first + i].cos_delta * scale));
+      for (std::size_t channel = 0; channel < 3; ++channel)
+        writes[specular::kRed + channel].set(i, kSpecular[channel]);
+    }
+    device.run(writes, results);
+    for (std::size_t i = 0; i < writes.size(); ++i) {
+      rgb& colour = colours.emplace_back();
+      for (std::size_t channel = 0; channel < 3; ++channel) {
+        const column& from = results[specular::kOutRed + channel];
+        const int frac = from.kind() == storage::f64 ? 0 : of[specular::kOutRed + channel].carries->frac;
+        colour[channel] = std::ldexp(from.real(i), -frac);
+      }
+    }
+    shown.advance(writes.size());
   }
-  return all;
+  return colours;
 }
 
 /// [T] (3.1) over the 8-bit channels.
@@ -144,12 +154,12 @@ struct outcome {
   int largest;            // largest difference to Blinn in a channel
 };
 
-std::string report_text(const options& asked, const std::vector<outcome>& outcomes, std::size_t pixels,
-                        const bench::systemc_engine& device, double host_s) {
-  const double simulated_ms = static_cast<double>(device.cycles()) * bench::kClockPeriodNs * 1e-6;
+std::string report_text(const options& asked, const selection& chosen, const std::vector<outcome>& outcomes,
+                        std::size_t pixels, const clocked_engine& device, double host_s) {
+  const double simulated_ms = static_cast<double>(device.cycles()) * harness::kClockPeriodNs * 1e-6;
   std::string report = fmt::format(
-      "# A sphere through the device of UA 60553\n\n"
-      "`{} {}` in SystemC, coefficient {}{}: a sphere of {} pixels in a picture of {} x {}, once per "
+      "# A sphere through a device of the patent\n\n"
+      "In SystemC: {} ({}). A sphere of {} pixels in a picture of {} x {}, once per "
       "exponent; every\n"
       "pixel's cos(delta) is a write of register 2, its colour is read at the next leading edge of 29.\n\n"
       "| what | value |\n|---|---|\n"
@@ -162,19 +172,18 @@ std::string report_text(const options& asked, const std::vector<outcome>& outcom
       "double and so shows what the word length alone costs.\n\n"
       "| n | NMSE to Blinn | NMSE to own formula | largest difference to Blinn, of 255 "
       "|\n|---|---|---|---|\n",
-      asked.device.device, asked.device.format, asked.device.coefficient,
-      asked.device.as_published ? ", as published" : "", pixels, asked.side, asked.side, device.writes(),
-      device.cycles(), simulated_ms, 1e3 / bench::kClockPeriodNs, host_s,
-      static_cast<double>(device.writes()) / host_s);
+      chosen.text(), chosen.of().source(), pixels, asked.side, asked.side, device.writes(), device.cycles(),
+      simulated_ms, 1e3 / harness::kClockPeriodNs, host_s, static_cast<double>(device.writes()) / host_s);
   for (const outcome& o : outcomes) {
     report += fmt::format("| {} | {:.3e} | {:.3e} | {} |\n", o.n, o.nmse_blinn, o.nmse_quadratic, o.largest);
   }
   report += fmt::format(
       "\n`sphere.png`: a column per exponent ({}); rows: the device, Blinn, {} times their difference.\n"
-      "`sphere_n*.png`: the device's pictures alone. `quadratic.vcd`: the first writes, up to {} pixels of "
+      "`sphere_n*.png`: the device's pictures alone. `{}.vcd`: the first writes, up to {} pixels of "
       "the row\n"
       "through the highlight, at n = {}.\n",
-      fmt::join(asked.exponents, ", "), kDifferenceGain, kTracedWrites, traced_exponent(asked));
+      fmt::join(asked.exponents, ", "), kDifferenceGain, chosen.of().identifier(), kTracedWrites,
+      traced_exponent(asked));
   return report;
 }
 
@@ -199,8 +208,12 @@ void run(const options& asked) {
     throw usage_error("--exponents has one twice, expected different ones");
   const output_directory folder(asked.output.string());
   const auto place = [&](const std::string& name) { return (asked.output / name).string(); };
+  const selection chosen = asked.device.choose();
+  const selection formula = asked.device.choose(purpose::formula);
+  const std::vector<port> ports = chosen.of().ports(chosen);
+  const std::string wave_name = chosen.of().identifier() + ".vcd";
   // Opened first, so that none is written if one cannot be.
-  output_file waves(place("quadratic.vcd"), ".part.vcd");
+  output_file waves(place(wave_name), ".vcd");
   output_file report(place("report.md"));
   output_file sheet_file(place("sphere.png"));
   std::vector<std::unique_ptr<output_file>> picture_files;
@@ -210,35 +223,28 @@ void run(const options& asked) {
   golden::sphere_scene ball;
   ball.side = asked.side;
   const std::vector<sample> samples = sample_sphere(ball);
-  const double scale = std::ldexp(1.0, fraction_bits(asked.device));
-  const auto line = asked.device.coefficient == "published" ? golden::coefficient_line::published
-                                                            : golden::coefficient_line::derived;
-  const auto device = bench::make_systemc(asked.device);
+  const auto device = harness::make_systemc(chosen);
+  const auto own_formula = formula.of().make_golden(formula);
   device->trace(waves.temporary_path().substr(0, waves.temporary_path().size() - std::strlen(".vcd")));
-  compute_highlights(*device, row_through_highlight(samples, asked.side), traced_exponent(asked), scale);
+  compute_highlights(*device, ports, row_through_highlight(samples, asked.side), traced_exponent(asked));
   if (!device->stop_trace())
-    throw file_error(place("quadratic.vcd"), 0, "cannot be written to its end, expected room for it");
+    throw file_error(place(wave_name), 0, "cannot be written to its end, expected room for it");
 
   picture sheet(asked.side * static_cast<int>(asked.exponents.size()), 3 * asked.side);
   std::vector<outcome> outcomes;
   double host_s = 0;
   for (const int n : asked.exponents) {
     const auto started = std::chrono::steady_clock::now();
-    const results colours = compute_highlights(*device, samples, n, scale);
+    const std::vector<rgb> colours = compute_highlights(*device, ports, samples, n);
     host_s += std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
-    const auto real = [scale](std::int64_t raw) { return static_cast<double>(raw) / scale; };
-    const picture from_device = shade(asked.side, samples, [&](std::size_t i) {
-      return rgb{real(colours.red[i]), real(colours.green[i]), real(colours.blue[i])};
-    });
+    const std::vector<rgb> real_colours = compute_highlights(*own_formula, ports, samples, n);
+    const picture from_device = shade(asked.side, samples, [&](std::size_t i) { return colours[i]; });
+    const picture from_formula = shade(asked.side, samples, [&](std::size_t i) { return real_colours[i]; });
     const picture blinn = shade(asked.side, samples, [&](std::size_t i) {
       return scaled(golden::blinn<double>(n, samples[i].cos_delta));
     });
-    const picture formula = shade(asked.side, samples, [&](std::size_t i) {
-      const double brdf = golden::quadratic<double>(line, n, samples[i].cos_delta);
-      return scaled(asked.device.as_published ? brdf : std::fmax(brdf, 0.0));
-    });
     const picture unscaled = scene::difference(blinn, from_device, 1);
-    outcomes.push_back({n, nmse(blinn, from_device), nmse(formula, from_device),
+    outcomes.push_back({n, nmse(blinn, from_device), nmse(from_formula, from_device),
                         *std::max_element(unscaled.rgb.begin(), unscaled.rgb.end())});
     const int x = asked.side * static_cast<int>(outcomes.size() - 1);
     scene::paste(from_device, sheet, x, 0);
@@ -249,16 +255,43 @@ void run(const options& asked) {
   }
   sheet_file.write(scene::png_of(sheet));
   sheet_file.close();
-  report.write(report_text(asked, outcomes, samples.size(), *device, host_s));
+  report.write(report_text(asked, chosen, outcomes, samples.size(), *device, host_s));
   report.close();
   for (const auto& file : picture_files) file->commit();
   for (output_file* file : {&waves, &sheet_file, &report}) file->commit();
 
   for (const outcome& o : outcomes) fmt::print("n = {:4}   NMSE to Blinn {:.3e}\n", o.n, o.nmse_blinn);
-  for (const char* file : {"sphere.png", "report.md", "quadratic.vcd"}) {
-    fmt::print("{}\n", place(file));
+  for (const std::string& file : {std::string("sphere.png"), std::string("report.md"), wave_name}) {
+    fmt::print("{}\n", printable(place(file)));
   }
-  fmt::print("see the waves with: scripts/wave {}\n", as_word(place("quadratic.vcd")));
+  fmt::print("see the waves with: scripts/wave {}\n", as_word(place(wave_name)));
+}
+
+int run(int argc, char** argv) {
+  sc_core::sc_report_handler::set_actions(sc_core::SC_INFO, sc_core::SC_DO_NOTHING);
+  // Waves of nothing are nothing to warn of: a run that fails before its first write has its own message.
+  sc_core::sc_report_handler::set_actions(sc_core::SC_ID_TRACING_CLOSE_EMPTY_FILE_, sc_core::SC_DO_NOTHING);
+  options asked;
+  CLI::App program{"A lit sphere whose highlight the SystemC device computes: pictures, waves, report",
+                   "sphere"};
+  program.add_option("--output", asked.output, "folder for sphere.png, report.md and the waves")
+      ->take_last()
+      ->capture_default_str();
+  add_device_arguments(program, asked.device, purpose::hardware);
+  program.add_option("--exponents", asked.exponents, "specular exponents, 1..1000")
+      ->delimiter(',')
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  program.add_option("--side", asked.side, "pixels")->check(CLI::Range(16, 4096))->capture_default_str();
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::Success& success) {
+    return program.exit(success);
+  } catch (const CLI::Error& error) {
+    throw usage_error(fmt::format("{}, see sphere --help", error.what()));
+  }
+  run(asked);
+  return 0;
 }
 
 }  // namespace
@@ -268,36 +301,5 @@ int sc_main(int, char**) {
 }
 
 int main(int argc, char** argv) {
-  sc_core::sc_report_handler::set_actions(sc_core::SC_INFO, sc_core::SC_DO_NOTHING);
-  options asked;
-  CLI::App program{"A lit sphere whose highlight the SystemC device computes: pictures, waves, report",
-                   "sphere"};
-  program.add_option("--output", asked.output, "folder for sphere.png, report.md, quadratic.vcd")
-      ->take_last()
-      ->capture_default_str();
-  program.add_option("--format", asked.device.format, "fraction bits of cos(delta)")
-      ->check(CLI::IsMember(std::vector<std::string>(std::begin(format_names), std::end(format_names))))
-      ->capture_default_str();
-  program.add_option("--coefficient", asked.device.coefficient, "published or derived")
-      ->check(CLI::IsMember({"published", "derived"}))
-      ->capture_default_str();
-  program.add_flag("--as-published", asked.device.as_published, "keep the negative lobe");
-  program.add_option("--exponents", asked.exponents, "specular exponents, 1..1000")
-      ->delimiter(',')
-      ->check(CLI::Range(1, 1000))
-      ->capture_default_str();
-  program.add_option("--side", asked.side, "pixels")->check(CLI::Range(16, 4096))->capture_default_str();
-  try {
-    program.parse(argc, argv);
-    run(asked);
-  } catch (const CLI::Success& success) {
-    return program.exit(success);
-  } catch (const CLI::Error& error) {
-    fmt::print(stderr, "sphere: {}, see sphere --help\n", error.what());
-    return 2;
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "sphere: {}\n", error.what());
-    return 2;
-  }
-  return 0;
+  return blysk::run_program("sphere", [&] { return run(argc, argv); });
 }

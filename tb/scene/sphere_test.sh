@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # sphere_test.sh SPHERE: the main job's files, and what it does where they cannot be written.
 set -euo pipefail
+export LC_ALL=C
 sphere=$1
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
@@ -15,6 +16,25 @@ eval "set -- $(sed -n 's|^see the waves with: scripts/wave ||p' said)"
 [ "$*" = "it's out/quadratic.vcd" ] && [ -f "$1" ] || fail "said: $(cat said)"
 grep -q '^| 50 | [0-9.]*e-0[0-9] | ' "it's out/report.md" || fail 'no NMSE in the report'
 
+# A name that is no text is shown printable, and as a word of the shell it is the name.
+odd=$'a\nb\e[2J\xE9'
+"$sphere" --side 32 --exponents 1 --output "$odd" >said
+[ "$(LC_ALL=C.UTF-8 grep -c '[[:cntrl:]]' said)" = 0 ] && [ "$(wc -l <said)" = 5 ] || fail "said: $(cat -v said)"
+eval "set -- $(sed -n 's|^see the waves with: scripts/wave ||p' said)"
+[ "$*" = "$odd/quadratic.vcd" ] && [ -f "$1" ] || fail "said: $(cat -v said)"
+
+# Files of names that were temporary once are left alone.
+mkdir planted
+echo precious >precious
+sh -c 'for f in quadratic.vcd.$$.part.vcd sphere.png.$$.part report.md.$$.part; do ln -s ../precious planted/$f; done
+  exec "$0" --side 32 --exponents 1 --output planted' "$sphere" >said
+[ "$(cat precious)" = precious ] && [ "$(find planted -type l | wc -l)" = 3 ] && [ "$(find planted -type f | wc -l)" = 4 ] ||
+  fail "planted: $(ls -l planted)"
+
+status=0
+"$sphere" --side 32 --output said 2>/dev/full || status=$?
+[ "$status" = 2 ] || fail "status $status, a full standard error"
+
 # refuses MESSAGE COMMAND...: status 2, one line, and nothing new in the folder.
 refuses() {
   local message=$1 status=0 before
@@ -26,8 +46,8 @@ refuses() {
 }
 
 mkdir -p taken/quadratic.vcd
-refuses 'quadratic.vcd:0: is a directory, expected a file' "$sphere" --side 32 --output taken
-refuses 'said:0: cannot be made (Not a directory)' "$sphere" --side 32 --output said
+refuses 'quadratic.vcd: is a directory, expected a file' "$sphere" --side 32 --output taken
+refuses 'said: cannot be made (Not a directory)' "$sphere" --side 32 --output said
 refuses 'exponents has one twice' "$sphere" --side 32 --exponents 1,1 --output new
 limited() (
   trap '' XFSZ

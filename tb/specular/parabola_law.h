@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <type_traits>
 
 #include "rtl_sysc/devices/parabola.h"
@@ -69,9 +70,10 @@ template <class Shape>
   const int dropped = shape.coefficient_bits + shape.diff_bits - shape.cos_bits;
   const auto sum = law::add<product_t>(a_diff, 0, c, dropped, carry30);
   const auto rounded = law::round_off<product_t>(sum, dropped);
-  const auto one = static_cast<product_t>(product_t{1} << shape.cos_bits);
-  return static_cast<typename Shape::brdf_t>(
-      shape.is_clamped ? law::clamp<product_t>(rounded, product_t{0}, one) : rounded);
+  const product_t low = shape.is_clamped ? 0 : std::numeric_limits<product_t>::min();
+  const product_t high = shape.is_clamped ? static_cast<product_t>(product_t{1} << shape.cos_bits)
+                                          : std::numeric_limits<product_t>::max();
+  return static_cast<typename Shape::brdf_t>(law::clamp(rounded, low, high));
 }
 
 /// Columns of writes and of their results, all of the same length and none overlapping another.

@@ -75,8 +75,8 @@ TEST_CASE("an export that cannot be written leaves everything as it was", "[cli]
   folder.write("file", "");
   fails("--format q9" + to("no"), "q9");
   fails("--constant 0" + to("no"), "constant 0 cannot be wired");
-  fails(to("file"), "file:0: cannot be made (Not a directory), expected a directory to write into");
-  fails(to("file/below"), "below:0: cannot be made (Not a directory), expected a directory to write into");
+  fails(to("file"), "file: cannot be made (Not a directory), expected a directory to write into");
+  fails(to("file/below"), "below: cannot be made (Not a directory), expected a directory to write into");
   fails(to("new/rtl"), "cannot be written (File too large)", "trap '' XFSZ; ulimit -f 1; ");
   CHECK(folder.names() == std::vector<std::string>{"file"});
 
@@ -90,7 +90,7 @@ TEST_CASE("an export that cannot be written leaves everything as it was", "[cli]
   fails("--format q8 --as-published" + to("rtl"), ", expected an empty directory or one with files of the");
   fails("--format q10" + to("rtl"), ", expected an empty directory or one with files of the");
   folder.write("rtl/notes", "");
-  fails("--format q8" + to("rtl"), "rtl:0: holds notes, expected an empty directory");
+  fails("--format q8" + to("rtl"), "rtl: holds notes, expected an empty directory");
   fs::remove(folder.path("rtl/notes"));
   CHECK(slurp(top) == before);
 
@@ -98,7 +98,7 @@ TEST_CASE("an export that cannot be written leaves everything as it was", "[cli]
   fs::remove(top);
   fs::create_directory(top);
   const std::string list = folder.write("rtl/blysk_quadratic_q8.f", "old");
-  fails("--format q8" + to("rtl"), ".v:0: is a directory, expected a file to write");
+  fails("--format q8" + to("rtl"), ".v: is a directory, expected a file to write");
   CHECK(slurp(list) == "old");
   fs::remove(top);
 
@@ -252,16 +252,16 @@ TEST_CASE("files that cannot be read or written get one line", "[cli]") {
     CHECK(std::count(failed.err.begin(), failed.err.end(), '\n') == 1);
   };
   fails(simulate(folder.path("none.csv"), folder.path("out.csv")),
-        ":0: cannot be read (No such file or directory)");
-  fails(simulate(folder.path(""), folder.path("out.csv")), ":0: is a directory, expected a CSV file");
-  fails(simulate(in, folder.path("")), ":0: is a directory, expected a file to write");
-  fails(simulate(in, folder.path("none/out.csv")), ":0: cannot be written (No such file or directory)");
+        ": cannot be read (No such file or directory)");
+  fails(simulate(folder.path(""), folder.path("out.csv")), ": is a directory, expected a CSV file");
+  fails(simulate(in, folder.path("")), ": is a directory, expected a file to write");
+  fails(simulate(in, folder.path("none/out.csv")), ": cannot be written (No such file or directory)");
   fails(simulate(in, "/dev/full"), "cannot be written (No space left on device)");
   fails(simulate(in, folder.path("out.csv"), "--engine systemc --vcd " + quoted(folder.path("none/w.vcd"))),
-        ":0: cannot be written (No such file or directory)");
+        ": cannot be written (No such file or directory)");
   if (geteuid() != 0) {  // root may read and write everything
     fs::permissions(in, fs::perms::none);
-    fails(simulate(in, folder.path("out.csv")), ":0: cannot be read (Permission denied)");
+    fails(simulate(in, folder.path("out.csv")), ": cannot be read (Permission denied)");
   }
   CHECK(folder.names() == std::vector<std::string>{"in.csv"});
 }
@@ -340,12 +340,12 @@ TEST_CASE("what cannot be brought to its end is refused, and nothing is left of 
   const auto to = [&](const std::string& name) { return " --results " + quoted(folder.path(name)); };
   const std::string waves = " --engine systemc --vcd " + quoted(folder.path("w.vcd"));
   // Results fit into 4 KiB, the waves do not.
-  fails("simulate" + in + to("out.csv") + waves, "w.vcd:0: cannot be written to its end",
+  fails("simulate" + in + to("out.csv") + waves, "w.vcd: cannot be written to its end",
         "trap '' XFSZ; ulimit -f 8; ");
-  fails("simulate" + in + to("in.csv"), "in.csv:0: is given by --stimulus and --results");
-  fails("simulate" + in + to("w.vcd") + waves, "w.vcd:0: is given by --results and --vcd");
+  fails("simulate" + in + to("in.csv"), "in.csv: is given by --stimulus and --results");
+  fails("simulate" + in + to("w.vcd") + waves, "w.vcd: is given by --results and --vcd");
   fails("model blinn --points " + quoted(stimulus) + to("in.csv"),
-        "in.csv:0: is given by --points and --results");
+        "in.csv: is given by --points and --results");
   fails("shine", "'shine' is no verb, expected simulate, model, export or list");
   fails("render --help", "'render' is no verb");
   CHECK(slurp(stimulus) == slurp(BLYSK_ROOT "/docs/examples/fig3.csv"));
@@ -353,8 +353,15 @@ TEST_CASE("what cannot be brought to its end is refused, and nothing is left of 
 
 TEST_CASE("a signal that ends the program takes its unfinished files with it", "[cli]") {
   const scratch folder;
-  const auto [name, number] = GENERATE(
-      table<std::string, int>({{"HUP", SIGHUP}, {"INT", SIGINT}, {"PIPE", SIGPIPE}, {"TERM", SIGTERM}}));
+  const auto [name, number] = GENERATE(table<std::string, int>({{"HUP", SIGHUP},
+                                                                {"INT", SIGINT},
+                                                                {"QUIT", SIGQUIT},
+                                                                {"ABRT", SIGABRT},
+                                                                {"PIPE", SIGPIPE},
+                                                                {"ALRM", SIGALRM},
+                                                                {"TERM", SIGTERM},
+                                                                {"USR1", SIGUSR1},
+                                                                {"XCPU", SIGXCPU}}));
   // The stimulus does not end; the signal comes when both files are begun.
   const std::string command = fmt::format(
       "cd {} && {{ (echo n,cos,r,g,b; yes 10,0.5,1,2,3) |"

@@ -2,13 +2,11 @@
 // The device of UA 60553 as its user meets it: options, formula, bit-accurate model.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <string>
 
 #include "tb/devices/quadratic/kernel.h"
 #include "tb/devices/quadratic/wires.h"
-#include "tb/golden/lobe_formulas.h"
-#include "tb/specular/specular.h"
+#include "tb/specular/parabola_formula.h"
 #include "tb/visit_format.h"
 
 namespace blysk::quadratic_device {
@@ -34,32 +32,18 @@ wired_constants wires(const selection& asked) {
 
 namespace {
 
-golden::coefficient_line line_of(const selection& asked) {
-  const std::string& name = asked.value("coefficient");
-  if (name == "published") return golden::coefficient_line::published;
-  if (name == "derived") return golden::coefficient_line::derived;
-  return golden::coefficient_line::exact;
-}
-
-class quadratic final : public specular::device_of_points {
+class quadratic final : public specular::parabola {
  public:
   std::string name() const override { return "quadratic"; }
   std::string title() const override { return "a quadratic in cos(delta), its coefficient a line in n"; }
   std::string source() const override { return "patent UA 60553, fig. 1"; }
 
   std::vector<option> options() const override {
-    return {{.name = "coefficient",
-             .help = "a = 0.786 n + 0.5 (published), 0.78694 n - 0.5 (derived), formula (9) (exact)",
-             .values = {"derived", "published"},
-             .preset = "derived",
-             .formula_values = {"exact"}},
+    return {coefficient_option({"derived", "published"}, {"exact"}),
             {.name = "constant",
              .help = "bits wired at node 31 after the point, such as 11001001",
              .is_wired = true},
-            {.name = "as-published",
-             .help = "keep the negative lobe instead of clamping to [0, 1]",
-             .values = {"off", "on"},
-             .preset = "off"}};
+            as_published_option()};
   }
 
   void check(const selection& asked) const override {
@@ -68,21 +52,8 @@ class quadratic final : public specular::device_of_points {
 
   std::string words(const selection& asked) const override {
     const std::string& constant = asked.value("constant");
-    return fmt::format("coefficient {}{}, BRDF {}", asked.value("coefficient"),
-                       constant.empty() ? "" : ", constant 0." + constant + "b",
-                       asked.flag("as-published") ? "as published" : "clamped to [0, 1]");
-  }
-
-  std::function<double(double, double)> formula(const selection& asked) const override {
-    const auto line = line_of(asked);
-    if (asked.flag("as-published"))
-      return [line](double n, double c) { return golden::quadratic<double>(line, n, c); };
-    return [line](double n, double c) { return std::clamp(golden::quadratic<double>(line, n, c), 0.0, 1.0); };
-  }
-
-  double root(const selection& asked, double n) const override {
-    const double a = golden::coefficient<double>(line_of(asked), n);
-    return a > 1 ? 1 - 1 / a : 0;
+    return fmt::format("coefficient {}{}{}", asked.value("coefficient"),
+                       constant.empty() ? "" : fmt::format(", constant 0.{}b", constant), lobe_words(asked));
   }
 
   std::unique_ptr<engine> make_bit(const selection& asked) const override {

@@ -80,7 +80,7 @@ function(blysk_narrow_nets device)
 endfunction()
 
 # blysk_device_unit_tests(DEVICE): the cases of this folder, and what stands in the device's own folder: *_test.cpp,
-# narrow.txt, and tests.cmake, which may ask for more, such as blysk_specular_tests().
+# narrow.txt, and tests.cmake, which names the device's family.
 function(blysk_device_unit_tests device)
   string(REPLACE - _ identifier ${device})
   set(here ${PROJECT_SOURCE_DIR}/tb/devices/test)
@@ -95,5 +95,9 @@ function(blysk_device_unit_tests device)
   if(EXISTS ${own}/narrow.txt)
     blysk_narrow_nets(${device})
   endif()
+  set(family "")
   include(${own}/tests.cmake OPTIONAL)
+  if(family STREQUAL specular)
+    blysk_specular_unit_tests(${device})
+  endif()
 endfunction()

@@ -7,6 +7,7 @@
 #include "tb/catch.h"
 #include "tb/golden/angle.h"
 #include "tb/golden/errors.h"
+#include "tb/golden/reflectance.h"
 #include "tb/golden/shift_division.h"
 #include "tb/golden/sphere.h"
 
@@ -42,6 +43,54 @@ TEST_CASE("reflectance at normal incidence has closed forms", "[golden][energy]"
   }
 }
 
+TEST_CASE("a perfect diffuser around the mirror direction needs the angles beyond 90 degrees",
+          "[golden][energy]") {
+  const auto lambertian = [](double) { return 1 / kPi; };
+  for (const double degrees : {0.0, 15.0, 45.0, 60.0, 80.0, 89.0}) {
+    CAPTURE(degrees);
+    const double incidence = degrees * kPi / 180;
+    const double beyond = reflectance_beyond(lambertian, incidence);
+    CHECK(std::abs(reflectance(lambertian, lobe_axis::mirror, incidence, kPi / 2) + beyond - 1) <
+          2 * kQuadrature);
+    CHECK((beyond > 0) == (degrees > 0));
+  }
+}
+
+TEST_CASE("three readings of a lobe beyond 90 degrees from the mirror direction", "[golden][energy]") {
+  // lyon-8 at n = 1 and 80 degrees, (1 - (1 - c)/8)^8, by the outgoing ray itself: midpoints over both of its angles,
+  // in place of rings around the mirror direction.
+  const double incidence = 80 * kPi / 180;
+  constexpr int kSteps = 1600;
+  double dark = 0;
+  double clipped = 0;
+  double formula = 0;
+  for (int i = 0; i < kSteps; ++i) {
+    const double square = (i + 0.5) / kSteps;  // sin^2(theta): its step is 2 cos(theta) sin(theta) d theta
+    for (int j = 0; j < kSteps; ++j) {
+      const double phi = (j + 0.5) / kSteps * kPi;
+      const double c = std::sqrt(square) * std::cos(phi) * std::sin(incidence) +
+                       std::sqrt(1 - square) * std::cos(incidence);
+      dark += c > 0 ? std::pow((7 + c) / 8, 8) : 0;
+      clipped += std::pow((7 + std::max(c, 0.0)) / 8, 8);
+      formula += std::pow((7 + c) / 8, 8);
+    }
+  }
+  const double cell = kPi / kSteps / kSteps;
+  const auto f = [](double alpha) { return lyon<8>(1.0, std::cos(alpha)); };
+  const double half = reflectance(f, lobe_axis::mirror, incidence, kPi / 2);
+  const double at_right_angle = f(kPi / 2);
+  const double by_formula = half + reflectance_beyond(f, incidence);
+  const double by_clipping = half + reflectance_beyond([=](double) { return at_right_angle; }, incidence);
+  // Midpoints: the smooth integrands to their square, 1/kSteps^2; the step at 90 degrees crosses kSteps cells or so,
+  // whose errors, at most f(pi/2) each, have no common sign.
+  CHECK(std::abs(half - dark * cell) < at_right_angle * kPi / kSteps);
+  CHECK(std::abs(by_clipping - clipped * cell) < 10.0 / kSteps / kSteps);
+  CHECK(std::abs(by_formula - formula * cell) < 10.0 / kSteps / kSteps);
+  CHECK(std::abs(half - 1.102) < 5e-4);
+  CHECK(std::abs(by_clipping - 1.548) < 5e-4);
+  CHECK(std::abs(by_formula - 1.398) < 5e-4);
+}
+
 TEST_CASE("the exact coefficient normalises the integral it comes from", "[golden][energy]") {
   for (const double q : {0.1, 0.5, 0.9}) {
     for (const double k : {1.0, 5.0}) {
@@ -64,6 +113,35 @@ TEST_CASE("the energy factors are what their bound says", "[golden][energy]") {
     // 1 - a (1 - c) inherits a times the roundoff of c.
     CHECK(std::abs(quadratic_energy_factor(a) * 8 * kPi * integral - 1) < 64 * (1 + a) * 0x1p-53);
   }
+}
+
+TEST_CASE("the energy factors' branches and limits are those of docs/numerics.md", "[golden][energy]") {
+  // Both branches of the parabola's factor meet at a = 1: 3/(8 pi), slopes 3/(16 pi).
+  const double h = 0x1p-20;
+  const auto factor = [](double a) { return quadratic_energy_factor(a); };
+  CHECK(std::abs(factor(1) - 3 / (8 * kPi)) < 4 * 0x1p-53);
+  // A one-sided difference is off by h/2 times the second derivative, below 1, and 2^-53 / h.
+  CHECK(std::abs((factor(1) - factor(1 - h)) / h - 3 / (16 * kPi)) < h);
+  CHECK(std::abs((factor(1 + h) - factor(1)) / h - 3 / (16 * kPi)) < h);
+  // The cosine-quadratic's integral over c is 1/(n + 1) from n = 2 on, and less below.
+  using quadrature = boost::math::quadrature::gauss_kronrod<double, 31>;
+  for (const double n : {1.0, 1.5, 1.99, 2.0, 7.0, 1000.0}) {
+    const double root = std::max(0.0, 1 - 3 / (n + 1));
+    const double integral =
+        quadrature::integrate([n](double c) { return cosine_quadratic(n, c); }, root, 1.0);
+    CAPTURE(n);
+    if (n < 2) {
+      CHECK(integral < 1 / (n + 1) - 1e-9);
+    } else {
+      CHECK(std::abs(integral * (n + 1) - 1) < 64 * n * 0x1p-53);
+    }
+  }
+  // How close the bounds are, in the digits that the page states.
+  const auto r = [](lobe which, double n) { return lobe_reflectance(which, n, lobe_axis::half_vector, 0); };
+  CHECK(std::abs(r(lobe::quadratic_energy_safe, 1000) - 0.998) < 5e-4);
+  CHECK(std::abs(r(lobe::cosine_quadratic_energy_safe, 1000) - 0.996) < 5e-4);
+  CHECK(std::abs(r(lobe::quadratic_energy_safe, 1) - 0.25) < 5e-3);
+  CHECK(std::abs(r(lobe::cosine_quadratic_energy_safe, 1) - 0.22) < 5e-3);
 }
 
 TEST_CASE("the largest error of a known function is found where it lies", "[golden][errors]") {
@@ -109,6 +187,17 @@ TEST_CASE("the sphere is round, faces the viewer and peaks where the normal is t
   const auto picture = shade_sphere(scene, {1, 1, 0, 0, 1}, lobe::blinn, 100);
   const auto brightest = static_cast<std::size_t>(std::ranges::max_element(picture) - picture.begin());
   const auto half_vec = half_vector(scene.light, scene.view);
+  // Rows run downwards and columns to the right: the light comes from above on the right.
+  CHECK(pixels[brightest].y < scene.side / 2);
+  CHECK(pixels[brightest].x >= scene.side / 2);
+  for (const auto& pixel : pixels) {
+    REQUIRE((pixel.normal.y > 0) == (pixel.y < scene.side / 2));
+    REQUIRE((pixel.normal.x > 0) == (pixel.x >= scene.side / 2));
+  }
+  // The picture's middle, half a pixel off the axis, and its radius, 0.9 of half a side.
+  CHECK(std::abs(pixels[pixels.size() / 2].normal.z - 1) < 2.0 / scene.side);
+  CHECK(pixels.front().y == 3);  // (1 - 0.9) 64 / 2 = 3.2: the row whose centre is 3.5 pixels down
+  CHECK(pixels.back().y == 60);
   // No normal is nearer to the half vector than that of the brightest pixel.
   for (const auto& pixel : pixels) {
     REQUIRE(dot(pixel.normal, half_vec) <= dot(pixels[brightest].normal, half_vec));

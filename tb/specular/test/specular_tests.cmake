@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-# blysk_specular_tests(DEVICE): "strobe.DEVICE.FORMAT: ...", the strobes of [P] fig. 3 on a device of the specular family, in
+# blysk_specular_unit_tests(DEVICE): "strobe.DEVICE.FORMAT: ...", the strobes of [P] fig. 3 on a device of the specular family, in
 # the narrowest and in the widest format.
-function(blysk_specular_tests device)
+function(blysk_specular_unit_tests device)
   list(GET blysk_formats 0 first)
   list(GET blysk_formats -1 last)
   blysk_cases(strobe specular_cases ${device} FORMATS ${first} ${last} QUICK ${first} ${last}

@@ -1,0 +1,242 @@
+# SPDX-License-Identifier: Apache-2.0
+# blysk_device_tests(DEVICE): all tests of a device that need its exported Verilog. What they need to know stands in the
+# device's folder tb/devices/<identifier>/:
+#   variants       a line of options for each export that the tests try besides
+#   reference.v    module `reference` with parameter F, the same ports, written by hand
+#   uncovered.txt  reasons for bits that the regression does not change
+#   tests.cmake    sets, where they differ from what stands here:
+#     family             specular: the proofs of tb/specular/formal and the errors against c^n hold for it
+#     changed_reference  a sed command that spoils the inner result of reference.v, for family specular
+#     has_strobes        OFF: it has no strobe protocol, so nothing is written to it
+#     exhaustive         formats whose inputs are all tried
+#     covered, mutated   formats whose coverage is counted, whose mutants are tried
+# Labels: quick takes seconds in all, full less than a minute of processor time each, long more.
+
+# blysk_label(LABEL TEST...)
+function(blysk_label label)
+  set_property(TEST ${ARGN} APPEND PROPERTY LABELS ${label})
+endfunction()
+
+# blysk_label_checked(FORMAT TEST...): quick for the checked-in formats, full for the others.
+function(blysk_label_checked format)
+  if(format IN_LIST blysk_checked_formats)
+    blysk_label(quick ${ARGN})
+  else()
+    blysk_label(full ${ARGN})
+  endif()
+endfunction()
+
+function(blysk_device_tests device)
+  string(REPLACE - _ identifier ${device})
+  set(own ${PROJECT_SOURCE_DIR}/tb/devices/${identifier})
+  set(family "")
+  set(changed_reference "")
+  set(has_strobes ON)
+  set(exhaustive q8 q10 q12 q14 q16)
+  set(covered q8 q12 q16)
+  set(mutated q8 q12)
+  include(${own}/tests.cmake OPTIONAL)
+  set(reference ${own}/reference.v)
+  set(tables ${PROJECT_SOURCE_DIR}/docs/tables/${identifier})
+
+  # The text: is it current, and do the tools read it?
+  set(export ${PROJECT_SOURCE_DIR}/tb/export)
+  set(folders "")
+  foreach(format IN LISTS blysk_formats)
+    blysk_verilog_of(${device} ${format})
+    list(APPEND folders ${verilog_folder})
+    if(format IN_LIST blysk_checked_formats)
+      add_test(NAME verilog.${device}.current.${format}
+               COMMAND exported check ${PROJECT_SOURCE_DIR}/rtl_verilog/${identifier}_${format} ${device} ${format})
+      blysk_label(quick verilog.${device}.current.${format})
+    endif()
+    add_test(NAME verilog.${device}.package.${format} COMMAND yosys -q -c ${export}/package.tcl)
+    set_tests_properties(verilog.${device}.package.${format} PROPERTIES ENVIRONMENT "EXPORTED=${verilog_folder}")
+    add_test(NAME verilog.${device}.lint.${format} COMMAND ${export}/lint.sh ${verilog_folder} verilator icarus yosys)
+    blysk_label_checked(${format} verilog.${device}.package.${format} verilog.${device}.lint.${format})
+  endforeach()
+  add_test(NAME verilog.${device}.together COMMAND ${export}/together.sh ${folders})
+  blysk_label(full verilog.${device}.together)
+  if(EXISTS ${own}/variants)
+    foreach(format IN LISTS blysk_formats)
+      add_test(NAME verilog.${device}.variants.${format}
+               COMMAND ${export}/variants.sh $<TARGET_FILE:exported> ${own}/variants ${device} ${format})
+      blysk_label(full verilog.${device}.variants.${format})
+    endforeach()
+  endif()
+
+  # Verilog = SystemC after every edge, and = bit-accurate model for every write.
+  foreach(format IN LISTS blysk_formats)
+    foreach(which legal all)
+      add_test(NAME cosim.${device}.lockstep.${format}.${which} COMMAND lockstep ${device} ${format} ${which})
+      blysk_label_checked(${format} cosim.${device}.lockstep.${format}.${which})
+    endforeach()
+  endforeach()
+  if(NOT has_strobes)
+    return()
+  endif()
+  add_test(NAME cosim.${device}.engines COMMAND lockstep ${device} q8 engines)
+  blysk_label(quick cosim.${device}.engines)
+  foreach(format IN LISTS blysk_formats)
+    blysk_verilog_of(${device} ${format})
+    set(prefix cosim.${device})
+    add_test(NAME ${prefix}.random.${format} COMMAND sweep_verilog ${device} ${format} 20000)
+    add_test(NAME ${prefix}.icarus.${format}
+             COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/replay.sh $<TARGET_FILE:replay_vectors> ${verilog_folder} ${device} ${format})
+    blysk_label_checked(${format} ${prefix}.random.${format} ${prefix}.icarus.${format})
+    if(format IN_LIST exhaustive)
+      add_test(NAME ${prefix}.all.${format} COMMAND sweep_verilog ${device} ${format} all)
+      blysk_label(full ${prefix}.all.${format})
+    else()
+      add_test(NAME ${prefix}.corners.${format} COMMAND sweep_verilog ${device} ${format} corners)
+      add_test(NAME ${prefix}.sweep.${format} COMMAND sweep_verilog ${device} ${format} 2000000)
+      blysk_label(full ${prefix}.corners.${format} ${prefix}.sweep.${format})
+      add_test(NAME ${prefix}.long_sweep.${format} COMMAND sweep_verilog ${device} ${format} 100000000)
+      blysk_label(long ${prefix}.long_sweep.${format})
+    endif()
+  endforeach()
+  foreach(format q8 q12)
+    add_test(NAME cosim.${device}.beside.${format} COMMAND sweep_verilog ${device} ${format} beside)
+    blysk_label(quick cosim.${device}.beside.${format})
+  endforeach()
+  blysk_verilog_of(${device} q8)
+  add_test(NAME cosim.${device}.icarus.stuck COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/replay.sh $<TARGET_FILE:replay_vectors>
+           ${verilog_folder} ${device} q8 stuck)
+  blysk_label(quick cosim.${device}.icarus.stuck)
+
+  # Coverage and mutants.
+  set(reasons "")
+  foreach(file ${PROJECT_SOURCE_DIR}/tb/${family}/uncovered.txt ${own}/uncovered.txt)
+    if(EXISTS ${file})
+      list(APPEND reasons ${file})
+    endif()
+  endforeach()
+  foreach(format IN LISTS covered)
+    set(name coverage_${identifier}_${format})
+    blysk_coverage(${name} ${device} ${format})
+    set(uncovered ${CMAKE_CURRENT_SOURCE_DIR}/uncovered.sh $<TARGET_FILE:${name}> ${device} ${format})
+    add_test(NAME cosim.${device}.coverage.${format}
+             COMMAND ${uncovered} --check ${tables}/coverage_${format}.md ${reasons})
+    blysk_label(full cosim.${device}.coverage.${format})
+    add_custom_target(update_${name} COMMAND ${uncovered} --output ${tables}/coverage_${format}.md ${reasons}
+                      USES_TERMINAL VERBATIM)
+    add_dependencies(update_${name} ${name})
+    add_dependencies(update_coverage update_${name})
+  endforeach()
+  set(name mutation_${identifier}_few)
+  blysk_mutants(${name} ${device} q8 200)
+  set_target_properties(${name} PROPERTIES EXCLUDE_FROM_ALL OFF)
+  add_test(NAME cosim.${device}.mutation.q8 COMMAND ${name} ${device} q8 ${CMAKE_CURRENT_BINARY_DIR}/${name})
+  blysk_label(full cosim.${device}.mutation.q8)
+  foreach(format IN LISTS mutated)
+    set(name mutation_${identifier}_${format})
+    blysk_mutants(${name} ${device} ${format} 1200)
+    add_custom_target(update_${name} USES_TERMINAL VERBATIM
+      COMMAND ${CMAKE_COMMAND} -E make_directory ${tables}
+      COMMAND ${name} ${device} ${format} ${CMAKE_CURRENT_BINARY_DIR}/${name} --output ${tables}/mutation_${format}.md)
+    add_dependencies(update_mutation update_${name})
+  endforeach()
+
+  if(family STREQUAL specular)
+    blysk_specular_tests(${device})
+  endif()
+endfunction()
+
+# What devices with the registers and colour multipliers of rtl_sysc/devices/specular.h share: proofs, and the errors
+# against c^n. Uses the variables of blysk_device_tests().
+function(blysk_specular_tests device)
+  set(specular ${PROJECT_SOURCE_DIR}/tb/specular)
+  if(EXISTS ${reference})
+    set(prove ${specular}/formal/formal.sh)
+    foreach(format IN LISTS blysk_checked_formats)
+      blysk_verilog_of(${device} ${format})
+      foreach(property range hold registers colours)
+        add_test(NAME cosim.${device}.formal.${format}.${property}
+                 COMMAND ${prove} ${verilog_folder} ${reference} ${format} ${property})
+        blysk_label(full cosim.${device}.formal.${format}.${property})
+      endforeach()
+    endforeach()
+    blysk_verilog_of(${device} q8)
+    add_test(NAME cosim.${device}.formal.q8.brdf COMMAND ${prove} ${verilog_folder} ${reference} q8 brdf)
+    blysk_label(full cosim.${device}.formal.q8.brdf)
+    # The proof fails if the reference or the property is spoilt.
+    set(faults wrong_range range "s/brdf <= ONE/brdf < ONE/"
+               wrong_hold hold "s/n == n_before/n == n_i/"
+               changed_registers registers "s/if (g_we_i) g_ks/if (r_we_i) g_ks/"
+               changed_strobe registers "s/strobe17 & ~cos_we_i/strobe17/"
+               changed_colours colours "s/brdf [*] g_ks/brdf + g_ks/")
+    if(changed_reference)
+      list(APPEND faults changed_brdf brdf "${changed_reference}")
+    endif()
+    while(faults)
+      list(POP_FRONT faults name property fault)
+      add_test(NAME cosim.${device}.formal.${name}
+               COMMAND ${prove} ${verilog_folder} ${reference} q8 ${property} ${fault})
+      set_tests_properties(cosim.${device}.formal.${name} PROPERTIES PASS_REGULAR_EXPRESSION "proof did fail")
+      blysk_label(full cosim.${device}.formal.${name})
+    endwhile()
+  endif()
+
+  add_test(NAME docs.${device}.device_errors COMMAND device_errors ${device} --check ${tables})
+  blysk_label(full docs.${device}.device_errors)
+  add_custom_target(update_errors_${identifier} USES_TERMINAL VERBATIM
+    COMMAND ${CMAKE_COMMAND} -E make_directory ${tables}
+    COMMAND device_errors ${device} --output ${tables}
+    COMMAND gnuplot -c ${specular}/device_errors.gnuplot ${tables}/device_errors.csv
+            ${PROJECT_SOURCE_DIR}/docs/figures/device_errors_${identifier}.svg)
+  add_dependencies(update_errors update_errors_${identifier})
+endfunction()
+
+# blysk_coverage(NAME DEVICE FORMAT): the program that counts what the regression reaches.
+function(blysk_coverage name device format)
+  blysk_verilog_of(${device} ${format})
+  get_filename_component(folder ${verilog_folder} NAME)
+  add_executable(${name})
+  blysk_verilate(${name} Vcovered_${folder} ${device} ${format} blysk_${folder} ${verilog_folder} NO_INNER
+                 DEPENDS ${verilog_files} ARGUMENTS --coverage)
+  blysk_verilated_table(${name} covered ${folder} Vcovered_${folder})
+  target_compile_definitions(${name} PRIVATE VM_COVERAGE=1)
+  target_link_libraries(${name} PRIVATE blysk_coverage blysk_verilator blysk_strobes blysk_program blysk_options)
+  set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests)
+endfunction()
+
+# blysk_mutants(NAME DEVICE FORMAT COUNT): a program that tries COUNT mutants, a multiple of 100, of the exported device on
+# the regression. Each hundred is a Verilated class of its own: the time of an evaluation grows with their number.
+function(blysk_mutants name device format count)
+  set(folder ${CMAKE_CURRENT_BINARY_DIR}/${name})
+  set(script ${CMAKE_CURRENT_SOURCE_DIR}/mutants.sh)
+  blysk_verilog_of(${device} ${format})
+  add_custom_command(OUTPUT ${folder}/list.ys ${folder}/control.txt ${folder}/device.il
+                     COMMAND ${script} list ${folder} ${verilog_folder} ${count}
+                     DEPENDS ${verilog_files} ${script} VERBATIM)
+  add_executable(${name} EXCLUDE_FROM_ALL)
+  set(functions "")
+  set(entries "")
+  foreach(last RANGE 100 ${count} 100)
+    math(EXPR first "${last} - 99")
+    set(class V${name}_${last})
+    add_custom_command(OUTPUT ${folder}/mutants_${last}.v COMMAND ${script} module ${folder} ${first} ${last}
+                       DEPENDS ${folder}/list.ys ${folder}/device.il ${script} VERBATIM)
+    blysk_verilate(${name} ${class} ${device} ${format} mutants ${folder}/mutants_${last}.v MUTANTS
+                   DEPENDS ${folder}/mutants_${last}.v ARGUMENTS -Wno-lint -Wno-UNOPTFLAT)
+    string(APPEND functions "std::unique_ptr<mutants> make_${class}();\n")
+    string(APPEND entries "make_${class}, ")
+  endforeach()
+  file(CONFIGURE OUTPUT ${folder}/mutants_table.cpp @ONLY CONTENT [[
+// Made by CMake; do not edit.
+#include "tb/cosim/mutants.h"
+
+namespace blysk::cosim {
+
+@functions@
+std::span<std::unique_ptr<mutants> (*const)()> mutants_table() {
+  static constexpr std::unique_ptr<mutants> (*kEntries[])() = {@entries@};
+  return kEntries;
+}
+
+}  // namespace blysk::cosim
+]])
+  target_sources(${name} PRIVATE ${folder}/mutants_table.cpp)
+  target_link_libraries(${name} PRIVATE blysk_mutation blysk_verilator blysk_files blysk_strobes blysk_program blysk_options)
+  set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests)
+endfunction()

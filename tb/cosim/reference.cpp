@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/cosim/reference.h"
+
+#include <algorithm>
+
+#include "tb/cosim/verilated_table.h"
+
+namespace blysk::cosim {
+
+std::unique_ptr<verilator_engine> make_reference(const selection& asked) {
+  const auto table = reference_table();
+  const auto found = std::ranges::find(table, asked.folder_name(), &verilated_entry::folder);
+  return found == table.end() ? nullptr : found->make();
+}
+
+}  // namespace blysk::cosim

@@ -1,0 +1,24 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# verilate.sh FOLDER CLASS TOP SOURCE [ARGUMENT]...: FOLDER/CLASS.h and FOLDER/all.cpp, the class that Verilator makes of
+# module TOP. SOURCE is a Verilog file, or a folder whose *.v are read. ARGUMENTs are Verilator's. Verilator and its
+# messages take a blank in a path for its end: links in FOLDER have none.
+set -euo pipefail
+folder=$1 class=$2 top=$3 source=$(readlink -f "$4")
+mkdir -p "$folder"
+cd "$folder"
+rm -rf made rtl
+mkdir made
+if [ -d "$source" ]; then
+  ln -s "$source" rtl
+else
+  mkdir rtl
+  ln -s "$source" rtl
+fi
+"${VERILATOR:-verilator}" --cc -O3 --x-assign fast --x-initial fast --prefix "$class" --Mdir made --top-module "$top" \
+  "${@:5}" rtl/*.v
+LC_ALL=C # the order of the files
+rm -f ./"$class"*.h
+cat made/*.cpp >all.cpp
+mv made/*.h .
+rm -r made rtl

@@ -1,0 +1,91 @@
+# SPDX-License-Identifier: Apache-2.0
+# Verilog of the devices, Verilated while the project is built.
+find_package(verilator REQUIRED HINTS $ENV{VERILATOR_ROOT})
+find_package(Threads REQUIRED)
+
+# Verilator's own sources.
+add_library(blysk_verilator STATIC ${VERILATOR_ROOT}/include/verilated.cpp ${VERILATOR_ROOT}/include/verilated_cov.cpp
+            ${VERILATOR_ROOT}/include/verilated_threads.cpp)
+target_compile_options(blysk_verilator PRIVATE -w)
+target_include_directories(blysk_verilator SYSTEM PUBLIC ${VERILATOR_ROOT}/include ${VERILATOR_ROOT}/include/vltstd)
+target_link_libraries(blysk_verilator PUBLIC Threads::Threads)
+
+# blysk_verilog_of(DEVICE FORMAT): sets verilog_folder, where the device's Verilog is, and verilog_files, what to depend
+# on. Checked-in formats are read from rtl_verilog/; the others, and what is not there yet, are exported into the build
+# tree.
+function(blysk_verilog_of device format)
+  string(REPLACE - _ identifier ${device})
+  set(name ${identifier}_${format})
+  set(folder ${PROJECT_SOURCE_DIR}/rtl_verilog/${name})
+  file(GLOB files CONFIGURE_DEPENDS ${folder}/*.v)
+  if(NOT format IN_LIST blysk_checked_formats OR NOT files)
+    set(folder ${PROJECT_BINARY_DIR}/rtl_verilog/${name})
+    set(files ${folder}/blysk_${name}.f)
+  endif()
+  set(verilog_folder ${folder} PARENT_SCOPE)
+  set(verilog_files ${files} PARENT_SCOPE)
+endfunction()
+
+# blysk_export_verilog(DEVICE FORMAT): the command that exports into the build tree, if blysk_verilog_of() says so.
+function(blysk_export_verilog device format)
+  blysk_verilog_of(${device} ${format})
+  if(NOT verilog_folder MATCHES "^${PROJECT_BINARY_DIR}/")
+    return()
+  endif()
+  add_custom_command(OUTPUT ${verilog_files} COMMAND exported update ${verilog_folder} ${device} ${format}
+                     DEPENDS exported VERBATIM)
+  add_custom_target(verilog_${device}_${format} ALL DEPENDS ${verilog_files})
+endfunction()
+
+# blysk_verilate(TARGET CLASS DEVICE FORMAT TOP SOURCE [MUTANTS] [NO_INNER] [DEPENDS file...] [ARGUMENTS verilator's...])
+# Adds the class that Verilator makes of module TOP of SOURCE, a Verilog file or a folder of them, with its glue to the
+# ports of DEVICE: the function cosim::make_CLASS().
+function(blysk_verilate target class device format top source)
+  cmake_parse_arguments(PARSE_ARGV 6 arg "MUTANTS;NO_INNER" "" "DEPENDS;ARGUMENTS")
+  set(folder ${CMAKE_CURRENT_BINARY_DIR}/verilated/${class})
+  set(kind "")
+  if(arg_MUTANTS)
+    set(kind --mutants --no-inner)
+  elseif(arg_NO_INNER)
+    set(kind --no-inner)
+  endif()
+  add_custom_command(OUTPUT ${folder}/glue.cpp ${folder}/public.vlt
+                     COMMAND verilated_glue ${device} ${format} ${class} ${top} --output ${folder} ${kind}
+                     DEPENDS verilated_glue VERBATIM)
+  add_custom_command(OUTPUT ${folder}/all.cpp
+                     COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/verilate.sh ${folder} ${class} ${top} ${source} public.vlt ${arg_ARGUMENTS}
+                     DEPENDS ${arg_DEPENDS} ${folder}/public.vlt ${CMAKE_CURRENT_SOURCE_DIR}/verilate.sh VERBATIM)
+  set_source_files_properties(${folder}/glue.cpp PROPERTIES OBJECT_DEPENDS ${folder}/all.cpp
+                              COMPILE_OPTIONS "-isystem;${folder}")
+  target_sources(${target} PRIVATE ${folder}/glue.cpp)
+endfunction()
+
+# blysk_verilated_table(TARGET KIND [FOLDER_NAME CLASS]...): adds the table of Verilated classes, cosim::KIND_table().
+function(blysk_verilated_table target kind)
+  set(functions "")
+  set(entries "")
+  set(words ${ARGN})
+  while(words)
+    list(POP_FRONT words name class)
+    string(APPEND functions "std::unique_ptr<verilator_engine> make_${class}();\n")
+    string(APPEND entries "    {\"${name}\", make_${class}},\n")
+  endwhile()
+  file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/${target}_${kind}_table.cpp @ONLY CONTENT [[
+// Made by CMake; do not edit.
+#include "tb/cosim/verilated_table.h"
+
+#include <vector>
+
+namespace blysk::cosim {
+
+@functions@
+std::span<const verilated_entry> @kind@_table() {
+  static const std::vector<verilated_entry> entries{
+@entries@  };
+  return entries;
+}
+
+}  // namespace blysk::cosim
+]])
+  target_sources(${target} PRIVATE ${CMAKE_CURRENT_BINARY_DIR}/${target}_${kind}_table.cpp)
+endfunction()

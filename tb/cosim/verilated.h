@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Engines on the classes that Verilator makes. What tells one class from another is its glue, which verilated_glue
+/// writes from the device's ports.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "tb/cosim/verilator_engine.h"
+
+namespace blysk::cosim {
+
+/// A port of a Verilated class: Verilator stores the Width bits of either sign in an unsigned integer.
+/// \tparam Index  in device::ports()
+template <std::size_t Index, int Width, bool IsSigned>
+struct wire {
+  static constexpr std::size_t index = Index;
+
+  template <class Member>
+  static std::int64_t read(const Member& member) {
+    if constexpr (IsSigned) {
+      return static_cast<std::int64_t>(static_cast<std::uint64_t>(member) << (64 - Width)) >> (64 - Width);
+    } else {
+      return static_cast<std::int64_t>(member);
+    }
+  }
+
+  template <class Member>
+  static void write(Member& member, std::int64_t value) {
+    constexpr std::uint64_t kMask = ~std::uint64_t{0} >> (64 - Width);
+    member = static_cast<Member>(static_cast<std::uint64_t>(value) & kMask);
+  }
+};
+
+/// The same with the column of its numbers.
+template <std::size_t Index, int Width, bool IsSigned, std::size_t Column, class Element>
+struct field : wire<Index, Width, IsSigned> {
+  static constexpr std::size_t column = Column;
+  using element = Element;
+};
+
+/// Engine on a Verilated class.
+/// \tparam Glue  see verilated_glue.cpp
+template <class Glue, class Base = verilator_engine>
+class verilated : public Base {
+ public:
+  verilated() : Base(std::vector<storage>(Glue::kResultStorage.begin(), Glue::kResultStorage.end())) {}
+
+  void apply(std::span<std::int64_t> levels) override {
+    glue_.inputs([&]<class Wire>(Wire, auto& member) { Wire::write(member, levels[Wire::index]); });
+    glue_.top.eval();
+    glue_.outputs([&]<class Wire>(Wire, const auto& member) { levels[Wire::index] = Wire::read(member); });
+  }
+
+  std::uint64_t cycles() const override { return cycles_; }
+  std::uint64_t writes() const override { return writes_; }
+
+ protected:
+  Glue glue_;
+
+ private:
+  static constexpr int kResetCycles = 2;
+
+  void compute(const columns& in, columns& out) override {
+    if constexpr (Glue::kHasProtocol) {
+      point_at(in, out);
+      if (cycles_ == 0) reset();
+      glue_.reset() = 1;
+      for (std::size_t i = 0; i < in.size(); ++i) {
+        lead();
+        glue_.trailing([&](auto channel, auto& data, auto&) { put(channel, data, i); });
+        clock(false);
+        if (i > 0) capture(i - 1);
+        finish_cycle();
+        trail();
+        glue_.level([&](auto channel, auto& data, auto& strobe) {
+          put(channel, data, i);
+          strobe = 1;
+        });
+        clock(false);
+        finish_cycle();
+      }
+      lead();
+      clock(false);
+      if (in.size() > 0) capture(in.size() - 1);
+      finish_cycle();
+      trail();
+      clock(false);
+      finish_cycle();
+      writes_ += in.size() + 1;
+    } else {
+      throw std::logic_error("the device's ports are not those of the strobe protocol");
+    }
+  }
+
+  void point_at(const columns& in, columns& out) {
+    const auto point = [&]<class Field>(Field, const auto&, const auto&) {
+      sources_[Field::column] = in[Field::column].template data<typename Field::element>();
+    };
+    glue_.trailing(point);
+    glue_.level(point);
+    glue_.results([&]<class Field>(Field, const auto&) {
+      targets_[Field::column] = out[Field::column].template data<typename Field::element>();
+    });
+  }
+
+  void clock(bool level) {
+    glue_.clock() = level;
+    glue_.top.eval();
+  }
+
+  void finish_cycle() {
+    clock(true);
+    ++cycles_;
+  }
+
+  void reset() {
+    glue_.inputs([]<class Wire>(Wire, auto& member) { Wire::write(member, 0); });
+    glue_.top.eval();
+    for (int i = 0; i < kResetCycles; ++i) {
+      finish_cycle();
+      clock(false);
+    }
+  }
+
+  // The first half of a write: the strobe that writes by its trailing edge goes up, which confirms what the write before
+  // has made.
+  void lead() {
+    glue_.trailing([](auto, auto&, auto& strobe) { strobe = 1; });
+    glue_.level([](auto, auto&, auto& strobe) { strobe = 0; });
+  }
+
+  // The second half: it goes down, the other strobes go up, so that all registers change at one edge of clk.
+  void trail() {
+    glue_.trailing([](auto, auto&, auto& strobe) { strobe = 0; });
+  }
+
+  template <class Field, class Member>
+  void put(Field, Member& member, std::size_t row) {
+    Field::write(member, static_cast<std::int64_t>(
+                             static_cast<const typename Field::element*>(sources_[Field::column])[row]));
+  }
+
+  void capture(std::size_t row) {
+    glue_.results([&]<class Field>(Field, const auto& member) {
+      using element = typename Field::element;
+      static_cast<element*>(targets_[Field::column])[row] = static_cast<element>(Field::read(member));
+    });
+  }
+
+  std::array<const void*, Glue::kDataColumns> sources_{};
+  std::array<void*, Glue::kResultStorage.size()> targets_{};
+  std::uint64_t cycles_ = 0;
+  std::uint64_t writes_ = 0;
+};
+
+}  // namespace blysk::cosim

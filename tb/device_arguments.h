@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include <map>
+#include <string>
+
+#include "tb/device.h"
+
+namespace blysk {
+
+/// A device, its format and options as a command line gives them.
+struct asked_device {
+  std::string device = devices().front()->name();
+  std::string format = "q16";
+  std::map<std::string, std::string> options;  ///< those that were given
+
+  /// \throws std::invalid_argument as blysk::choose() does
+  selection choose(purpose is_for = purpose::hardware) const {
+    return blysk::choose(device, format, options, is_for);
+  }
+};
+
+/// Adds --device, --format and the options of all devices; choose() refuses those that the device does not have.
+/// \param arguments  outlives the command line
+void add_device_arguments(CLI::App& verb, asked_device& arguments, purpose is_for);
+
+}  // namespace blysk

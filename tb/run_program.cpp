@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/run_program.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <exception>
+#include <iostream>
+#include <new>
+#include <string>
+
+#include "tb/usage_error.h"
+
+namespace blysk {
+namespace {
+
+/// A number that the caller closed would go to the first file that is opened, and messages into it.
+void hold_standard_files() {
+  for (const int number : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    if (fcntl(number, F_GETFD) != -1 || errno != EBADF) continue;
+    // Opened the wrong way round, so that using it is an error. The lowest free number is this one.
+    if (open("/dev/null", number == STDIN_FILENO ? O_WRONLY : O_RDONLY) == -1) return;
+  }
+}
+
+/// The hard limit of processor time kills without a signal that can be handled; the soft one comes a second before.
+void soften_processor_time() {
+  rlimit limit{};
+  if (getrlimit(RLIMIT_CPU, &limit) != 0) return;
+  if (limit.rlim_max == RLIM_INFINITY || limit.rlim_max < 2 || limit.rlim_cur < limit.rlim_max) return;
+  limit.rlim_cur = limit.rlim_max - 1;
+  setrlimit(RLIMIT_CPU, &limit);
+}
+
+void finish_standard_output() {
+  errno = 0;
+  std::cout.flush();
+  if (!std::cout || std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
+    throw file_error("standard output", 0, fmt::format("cannot be written ({})", system_reason()));
+  }
+}
+
+void say(std::string_view name, std::string_view what) noexcept {
+  try {
+    const std::string line = fmt::format("{}: {}\n", name, printable(what));
+    std::fputs(line.c_str(), stderr);
+  } catch (const std::exception&) {  // no memory
+    std::fputs("out of memory\n", stderr);
+  }
+}
+
+}  // namespace
+
+int run_program(std::string_view name, const std::function<int()>& body) noexcept {
+  hold_standard_files();
+  soften_processor_time();
+  std::signal(SIGXFSZ, SIG_IGN);
+  try {
+    const int status = body();
+    finish_standard_output();
+    return status;
+  } catch (const std::bad_alloc&) {
+    say(name, "out of memory");
+  } catch (const std::exception& error) {
+    say(name, error.what());
+  } catch (...) {
+    say(name, "unknown error");
+  }
+  return 2;
+}
+
+}  // namespace blysk

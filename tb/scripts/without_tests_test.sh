@@ -1,0 +1,19 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# without_tests_test.sh SOURCE: with BUILD_TESTING off the project needs no test library, builds its programs and nothing
+# for tests, and has no tests.
+set -euo pipefail
+source=$1
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+if ! cmake -S "$source" -B "$folder/build" -G Ninja -DBUILD_TESTING=OFF -DCMAKE_DISABLE_FIND_PACKAGE_Catch2=ON \
+  -DCMAKE_DISABLE_FIND_PACKAGE_rapidcheck=ON >"$folder/log" 2>&1; then
+  cat "$folder/log" >&2
+  exit 1
+fi
+# What the target all makes: programs, and objects of no test.
+ninja -C "$folder/build" -t commands all >"$folder/commands"
+programs=$(sed -nE 's/.* -o (bin|tests)\/([^ ]+) .*/\1\/\2/p' "$folder/commands" | sort | paste -sd' ')
+[ "$programs" = 'bin/blysk bin/sphere' ] || { echo "builds $programs" >&2 && exit 1; }
+if grep -E 'Catch2|rapidcheck|_test\.cpp' "$folder/commands" >&2; then exit 1; fi
+ctest --test-dir "$folder/build" -N | grep -q '^Total Tests: 0$' || { echo 'there are tests' >&2 && exit 1; }
