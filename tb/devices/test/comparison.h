@@ -32,7 +32,7 @@ class comparison {
       for (std::size_t i = 0; i < results.size(); ++i) {
         if (from_tested_[i].get(row) == from_reference_[i].get(row)) continue;
         std::string stimulus = column_names(ports_, port::role::data) + " =";
-        for (const column& each : writes) stimulus += " " + std::to_string(each.get(row));
+        for (const column& each : writes) stimulus.append(" ").append(std::to_string(each.get(row)));
         CAPTURE(stimulus, results[i].column, from_tested_[i].get(row), from_reference_[i].get(row));
         FAIL("the engines differ");
       }

@@ -9,11 +9,11 @@ function(blysk_case_program program)
   set_target_properties(${program} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests)
 endfunction()
 
-# blysk_cases(PROGRAM DEVICE FORMATS format... [QUICK format...] SOURCES file...): each case of the sources as a test of its
-# own, "unit.DEVICE.FORMAT: case". A case tagged [variants] is tried with each line of the device's file `variants` besides.
-# Tests take the label quick in the formats named so, without further options, and full elsewhere.
-function(blysk_cases program device)
-  cmake_parse_arguments(PARSE_ARGV 2 arg "" "" "FORMATS;QUICK;SOURCES")
+# blysk_cases(AREA PROGRAM DEVICE FORMATS format... [QUICK format...] SOURCES file...): each case of the sources as a test of
+# its own, "AREA.DEVICE.FORMAT: case". A case tagged [variants] is tried with each line of the device's file `variants`
+# besides. Tests take the label quick in the formats named so, without further options, and full elsewhere.
+function(blysk_cases area program device)
+  cmake_parse_arguments(PARSE_ARGV 3 arg "" "" "FORMATS;QUICK;SOURCES")
   string(REPLACE - _ identifier ${device})
   set(variants "")
   set(file ${PROJECT_SOURCE_DIR}/tb/devices/${identifier}/variants)
@@ -30,10 +30,10 @@ function(blysk_cases program device)
       set(tags "${CMAKE_MATCH_2}")
       string(REPLACE "," "\\," pattern "${case}")  # a comma ends a pattern of Catch2
       foreach(format IN LISTS arg_FORMATS)
-        blysk_case("unit.${device}.${format}: ${case}" ${program} "${pattern}" ${device} ${format} "" "${arg_QUICK}")
+        blysk_case("${area}.${device}.${format}: ${case}" ${program} "${pattern}" ${device} ${format} "" "${arg_QUICK}")
         if(tags MATCHES "\\[variants\\]")
           foreach(options IN LISTS variants)
-            blysk_case("unit.${device}.${format}: ${case}, ${options}" ${program} "${pattern}" ${device} ${format}
+            blysk_case("${area}.${device}.${format}: ${case}, ${options}" ${program} "${pattern}" ${device} ${format}
                        "${options}" "")
           endforeach()
         endif()
@@ -85,9 +85,9 @@ function(blysk_device_unit_tests device)
   string(REPLACE - _ identifier ${device})
   set(here ${PROJECT_SOURCE_DIR}/tb/devices/test)
   set(own ${PROJECT_SOURCE_DIR}/tb/devices/${identifier})
-  blysk_cases(device_cases ${device} FORMATS ${blysk_formats} QUICK q8
+  blysk_cases(unit device_cases ${device} FORMATS ${blysk_formats} QUICK q8
               SOURCES ${here}/equality_test.cpp ${here}/inputs_test.cpp)
-  blysk_cases(device_thread_cases ${device} FORMATS q8 QUICK q8 SOURCES ${here}/thread_test.cpp)
+  blysk_cases(unit device_thread_cases ${device} FORMATS q8 QUICK q8 SOURCES ${here}/thread_test.cpp)
   file(GLOB sources CONFIGURE_DEPENDS ${own}/*_test.cpp)
   if(sources)
     blysk_add_test(unit.${device} SOURCES ${sources} LIBRARIES blysk_harness blysk_interpreter blysk_golden)

@@ -22,11 +22,19 @@ template <class Q>
 std::unique_ptr<netlist::elaborated> elaborate_in(const selection&, double) {
   throw std::logic_error("only one format is here");
 }
-#define BLYSK_NAMED_FORMAT(name)                               \
-  template std::vector<port> ports_in<name>(const selection&); \
-  template std::unique_ptr<netlist::elaborated> elaborate_in<name>(const selection&, double);
+// The registry asks for all formats; a table that others could see keeps them.
+extern decltype(&ports_in<BLYSK_FORMAT>) const all_ports[];
+decltype(&ports_in<BLYSK_FORMAT>) const all_ports[] = {
+#define BLYSK_NAMED_FORMAT(name) &ports_in<name>,
 #include "tb/formats.def"
 #undef BLYSK_NAMED_FORMAT
+};
+extern decltype(&elaborate_in<BLYSK_FORMAT>) const all_elaborations[];
+decltype(&elaborate_in<BLYSK_FORMAT>) const all_elaborations[] = {
+#define BLYSK_NAMED_FORMAT(name) &elaborate_in<name>,
+#include "tb/formats.def"
+#undef BLYSK_NAMED_FORMAT
+};
 
 }  // namespace blysk
 
