@@ -101,7 +101,7 @@ TEST_CASE("rows that look plain and are wrong are refused", "[cli]") {
       {",0.5,1,2,3", "n is '', expected an integer 1..1000"},
       {"1:,0.5,1,2,3", "n is '1:', expected an integer 1..1000"},
       {"1/,0.5,1,2,3", "n is '1/', expected an integer 1..1000"},
-      {"\xB1,0.5,1,2,3", "n is '\xB1', expected an integer 1..1000"},
+      {"\xB1,0.5,1,2,3", "n is '\\xB1', expected an integer 1..1000"},
       {"1,1.0000001,1,2,3", "cos is '1.0000001', expected a real number in [0, 1]"},
       {"1,2.0,1,2,3", "cos is '2.0', expected a real number in [0, 1]"},
       {"1,0.5x,1,2,3", "cos is '0.5x', expected a real number in [0, 1]"},
