@@ -3,10 +3,10 @@
 
 #include <map>
 
-#include "tb/claims/claim.h"
+#include "tb/claims/words.h"
 #include "tb/golden/angle.h"
 
-namespace blysk::golden {
+namespace blysk::claims {
 namespace {
 
 error_summary measure(const std::function<double(double)>& f, double n) {
@@ -114,4 +114,4 @@ double angle_reflectance(double n, double k, double q, double coefficient, lobe_
                                    std::min(limit, boost::math::constants::half_pi<double>()));
 }
 
-}  // namespace blysk::golden
+}  // namespace blysk::claims

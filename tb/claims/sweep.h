@@ -10,7 +10,9 @@
 #include "tb/golden/energy.h"
 #include "tb/golden/errors.h"
 
-namespace blysk::golden {
+namespace blysk::claims {
+
+using namespace golden;  // whose functions are measured
 
 inline constexpr int kMaxExponent = 1000;
 
@@ -88,4 +90,4 @@ double lobe_reflectance(lobe which, double n, lobe_axis axis, double incidence_d
 double angle_reflectance(double n, double k, double q, double coefficient, lobe_axis axis,
                          double incidence_degrees);
 
-}  // namespace blysk::golden
+}  // namespace blysk::claims
