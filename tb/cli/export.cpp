@@ -32,6 +32,10 @@ void add_export(CLI::App& program) {
   verb->add_option("--output", asked->output,
                    "directory, empty or with the files of an export before; made if it does not exist")
       ->required();
+  verb->footer(
+      "Examples:\n"
+      "  blysk export --format q12 --output rtl\n"
+      "  blysk export --format q8 --as-published --output rtl-published");
   verb->callback([asked] { run(*asked); });
 }
 

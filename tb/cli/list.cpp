@@ -91,6 +91,10 @@ void add_list(CLI::App& program) {
   auto* verb = program.add_subcommand("list", "Name devices, formats, engines and golden models");
   auto as_json = std::make_shared<bool>(false);
   verb->add_flag("--json", *as_json, "print JSON");
+  verb->footer(
+      "Examples:\n"
+      "  blysk list\n"
+      "  blysk list --json");
   verb->callback([as_json] {
     const auto json = listing();
     if (*as_json) {

@@ -66,6 +66,10 @@ void add_model(CLI::App& program) {
   verb->add_option("--results", asked->results,
                    "CSV to write: the points and their value, 17 digits; - for standard output")
       ->required();
+  verb->footer(
+      "Examples:\n"
+      "  blysk model blinn --points points.csv --results -\n"
+      "  blysk model cosine-quadratic --points points.csv --results values.csv && cat values.csv");
   verb->callback([asked] { run(*asked); });
 }
 

@@ -110,6 +110,11 @@ void add_simulate(CLI::App& program) {
       ->required();
   verb->add_option("--vcd", asked->vcd, "record the waves (engine systemc)");
   verb->add_flag("--json", asked->json, "print the summary as JSON");
+  verb->footer(
+      "Examples:\n"
+      "  blysk simulate --format q12 --stimulus in.csv --results -\n"
+      "  blysk simulate --engine systemc --stimulus in.csv --results out.csv --vcd waves.vcd\n"
+      "  blysk simulate --engine golden --coefficient exact --stimulus in.csv --results out.csv --json");
   verb->callback([asked] { run(*asked); });
 }
 

@@ -161,7 +161,7 @@ TEST_CASE("the layout of GTKWave fits the waves of every format", "[cli][waves]"
     ++rows;
   }
   CHECK(rows > 30);
-  const int slope = std::min(fraction, 20);  // K and D of docs/blocks.md
+  const int slope = std::min(fraction, 20);  // K and D of docs/devices
   const int square = std::min({2 * fraction, fraction + 12, 35});
   const std::map<std::string, int> expected{{"cos18", fraction},           {"rg2.q_o", fraction},
                                             {"node31.y_o", slope},         {"node32.y_o", 1},

@@ -1,0 +1,47 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# readme_test.sh ROOT BUILD: runs the commands of README.md and of the help of each verb, in a folder of their own beside a
+# link to the build. The commands of README that it does not run stand here with the reason.
+set -euo pipefail
+root=$(readlink -f "$1") build=$(readlink -f "$2")
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cd "$folder"
+ln -s "$build" build
+ln -s "$root/docs" docs
+ln -s "$root/scripts" scripts
+fail() { echo "$*" >&2 && exit 1; }
+
+# run COMMAND: succeeds and says something, on standard output or into a file.
+run() {
+  echo "+ $1"
+  bash -e -o pipefail -c "$1" >said 2>error || { cat said error >&2 && fail "failed: $1"; }
+  [ -s said ] || fail "said nothing: $1"
+}
+
+count=0
+while IFS= read -r command; do
+  command=${command%%  #*}
+  case $command in
+    'scripts/test '* | scripts/test | 'cmake '*) continue ;; # what runs this test, and the build
+    'scripts/wave '* | scripts/wave) continue ;;             # a viewer
+    'scripts/run '* | scripts/run)
+      [ -x "$root/scripts/run" ] || fail 'no scripts/run'
+      run 'build/bin/sphere --output out --side 32' # what scripts/run starts, in a smaller size
+      ;;
+    *) run "$command" ;;
+  esac
+  count=$((count + 1))
+done < <(sed -n 's/^    \([a-z].*\)/\1/p' "$root/README.md")
+[ "$count" -ge 5 ] || fail "README.md has $count commands, expected 5"
+
+# Below "Examples:" of a verb's help each line is a command.
+verbs=$(build/bin/blysk --help | sed -n '/^Subcommands:/,/^$/s/^  \([a-z-]*\) .*/\1/p')
+[ -n "$verbs" ] || fail 'blysk --help names no verb'
+printf 'n,cos\n10,0.9\n' >points.csv
+printf 'n,cos,r,g,b\n10,0.99,200,100,50\n' >in.csv
+for verb in $verbs; do
+  examples=$(build/bin/blysk "$verb" --help | sed -n '/^Examples:/,$s/^  *\(blysk .*\)/\1/p')
+  [ -n "$examples" ] || fail "blysk $verb --help ends without examples"
+  while IFS= read -r command; do run "build/bin/$command"; done <<<"$examples"
+done
