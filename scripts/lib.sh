@@ -100,36 +100,24 @@ build() {
   logged build cmake --build "$root/build" ${1:+--target "$@"} || exit 1
 }
 
-# fit_layout FILE.vcd FILE.gtkw: the layout, made for q16 clamped, with the bus widths of the waveform, and with its
-# fraction bits. Fails if the waveform has none of the layout's signals. Of the waveform only the header is read. A net keeps its integer bits from format to format, so its fraction bits grow with its width; those of
-# the BRDF and the colours, which have more integer bits in a device as published, are those of cos18.
-fit_layout() {
-  sed '/\$enddefinitions/q' "$1" | awk '
+# wave_header FILE.vcd: what stands before the waves; of a large file only that is read.
+wave_header() { sed '/\$enddefinitions/q' "$1"; }
+
+# device_of_waves FILE.vcd: the arguments that choose the device, as `blysk simulate --vcd` leaves them; nothing for the
+# waves of another program.
+device_of_waves() { wave_header "$1" | sed -n 's/^blysk-device \(\(--[a-z-]* *[A-Za-z0-9.-]* *\)*\)$/\1/p' | head -n 1; }
+
+# layout_shows FILE.vcd FILE.gtkw: fails if the waveform has none of the layout's signals.
+layout_shows() {
+  wave_header "$1" | awk '
     in_header && $1 == "$scope" { scope = scope $3 "." }
     in_header && $1 == "$upscope" { sub(/[^.]*\.$/, "", scope) }
-    in_header && $1 == "$var" {
-      known[scope $5]
-      if ($6 ~ /^\[/) { split(substr($6, 2), ends, ":"); left[scope $5] = ends[1] }
-    }
+    in_header && $1 == "$var" { known[scope $5] }
     in_header { next }
     {
-      signal = $0
-      sub(/^\+\{[^}]*\} /, "", signal)
-      sub(/\[[0-9]+:[0-9]+\]$/, "", signal)
-      if (signal in known) ++found
+      sub(/^\+\{[^}]*\} /, "")
+      sub(/\[[0-9]+:[0-9]+\]$/, "")
+      if ($0 in known) ++found
     }
-    $1 == "[fpshift_count]" { shift_count = $2; next }
-    match($0, /\[[0-9]+:0\]$/) {  # "SystemC.net[7:0]" or "+{alias} SystemC.net[7:0]"
-      start = index($0, "SystemC.")
-      name = substr($0, start, RSTART - start)
-      was = substr($0, RSTART + 1) + 0
-      is = name in left ? left[name] : was
-      if (name ~ /quant11|out2[567]/) is_shift = left["SystemC.cos18"]
-      else is_shift = shift_count + is - was
-      $0 = substr($0, 1, RSTART) is ":0]"
-      if (shift_count != "") print "[fpshift_count] " is_shift
-      shift_count = ""
-    }
-    { print }
     END { exit !found }' in_header=1 - in_header=0 /dev/fd/3 3<"$2"
 }

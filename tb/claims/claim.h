@@ -1,95 +1,67 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What the seeds state in numbers, beside what is measured: the rows of docs/verification.md.
+/// Rows of docs/verification.md: what a seed says, as data, apart from the numbers that are measured.
 #pragma once
 
+#include <filesystem>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
 
-namespace blysk::golden {
+namespace blysk::claims {
 
-/// What a chain of some sixty roundings of numbers around 1 may leave: equality, to double precision.
-inline constexpr double kRounding = 64 * 0x1p-53;
+enum class relation { is, at_most, at_least };
 
-inline constexpr std::string_view kHolds = "holds";
-inline constexpr std::string_view kPartly = "holds in part";
-inline constexpr std::string_view kFails = "does not hold";
-inline constexpr std::string_view kAmbiguous = "ambiguous";
-inline constexpr std::string_view kUncheckable = "cannot be checked";
+/// One figure that a seed states, and the measured figure that it is held against.
+struct demand {
+  std::string figure;   ///< key of the measured figure
+  std::string reading;  ///< which of the readings that the seed leaves open; empty if it leaves none
+  std::string name;     ///< of one among several figures, for the verdict
+  relation how = relation::is;
+  std::string value;         ///< as the seed prints it, such as "3.2": its last digit is the unit of a miss
+  bool law = false;          ///< an identity or a law of physics: no printed precision
+  int of = 0;                ///< if not 0, the figure counts how many of so many stated figures are met,
+  std::string largest_miss;  ///< and this one is the largest miss among them, in units
+};
 
 struct claim {
-  std::string id;        ///< "P3", "A-T1", "T12", "E4"
-  std::string place;     ///< where in the seed
-  std::string says;      ///< the seed's statement
-  std::string measured;  ///< what is found, every number computed in this run
-  std::string verdict;   ///< one of the above, perhaps with a condition after a colon
+  std::string id;              ///< "P3", "A-T1", "T12", "E4"
+  std::string place;           ///< where in the seed
+  std::string says;            ///< the seed's statement
+  std::string measured;        ///< text with a placeholder {key} or {key:spec} for each measured figure
+  std::vector<demand> stated;  ///< empty if nothing can be judged; then
+  std::string open;            ///< says why
+  std::string held_by;         ///< name of the test that derives the figures again; empty if none does
+  std::vector<std::string> regenerated_only;  ///< figures that this test does not derive
 };
 
-/// \param digits  significant digits; below kRounding it is "0"
-std::string number(double value, int digits = 3);
-std::string percent(double value, int digits = 3);
-
-/// Adds an item to a list in words: the separator before all but the first, then the item's parts.
-template <class... Parts>
-void append(std::string& list, std::string_view separator, const Parts&... parts) {
-  if (!list.empty()) list += separator;
-  ((list += parts), ...);
-}
-
-std::string verdict_of(bool holds);
-
-/// One of several readings or parts of a statement.
-struct reading {
-  std::string name;
-  bool holds;
+struct section {
+  std::string title;
+  std::vector<claim> rows;
 };
 
-/// For readings of which the seed means one: kHolds if all hold, kFails if none does, else kAmbiguous, naming
-/// those that hold.
-std::string verdict_of(const std::vector<reading>& readings);
+/// The rows of claims.json.
+/// \throws std::runtime_error with the file, and the row or the line, if it is not as it has to be
+std::vector<section> load_claims(const std::filesystem::path& file);
 
-/// For parts that the seed states together: kHolds, kFails or kPartly, naming those that hold.
-std::string verdict_of_parts(const std::vector<reading>& parts);
+/// claims.json of the source tree.
+const std::vector<section>& all_claims();
 
-/// Whether a measurement rounds to what is printed with so many decimals.
-bool rounds_to(double measured, double printed, int decimals);
+/// \throws std::out_of_range if there is no such row
+const claim& claim_of(std::string_view id);
 
-/// "1..17, 25": the members of [1, size] whose entry is true; "none" if there are none.
-std::string ranges(const std::vector<bool>& members);
-
-/// A table in Markdown: the first row is the head.
-std::string markdown(const std::vector<std::vector<std::string>>& rows);
-
-/// Name of the test that asserts a row's numbers by themselves, from closed forms or by another method than that of
-/// the page; docs.verification, which only measures again, for the rest.
-/// \param id  of a row, such as "T4"
-std::string held_by(std::string_view id);
-
-/// What a test holds: its name without "golden.claims: ", and the rows.
-struct holding {
-  std::string_view test;
-  std::vector<std::string_view> rows;
+/// A placeholder of a row's text.
+struct placeholder {
+  std::string key;
+  std::string spec;  ///< as in {fmt}: ".3g"
 };
 
-const std::vector<holding>& holdings();
+/// In the order of the text. "{{" and "}}" are none.
+/// \throws std::runtime_error if a brace is not closed or a key comes twice
+std::vector<placeholder> placeholders(std::string_view text);
 
-std::vector<claim> patent_claims();
-std::vector<claim> article_claims();
-std::vector<claim> thesis_claims();
-std::vector<claim> errata();
+/// The text with printed[key] in the place of every placeholder.
+/// \throws std::out_of_range if a key is missing
+std::string fill(std::string_view text, const std::map<std::string, std::string>& printed);
 
-/// A page of tables that the rows refer to, written beside them.
-struct table {
-  std::string file;  ///< below docs/tables
-  std::string text;
-};
-
-std::vector<table> article_tables();
-std::vector<table> errata_tables();
-std::vector<table> error_tables();
-std::vector<table> energy_tables();
-std::vector<table> angle_energy_tables();
-std::vector<table> stability_tables();
-std::vector<table> picture_tables();
-
-}  // namespace blysk::golden
+}  // namespace blysk::claims

@@ -5,135 +5,126 @@
 #include <map>
 #include <vector>
 
-#include "tb/claims/claim.h"
 #include "tb/claims/table_form.h"
+#include "tb/golden/sphere.h"
 
-namespace blysk::golden {
+namespace blysk::claims {
 namespace {
 
-/// What the scenes share: the cosines of the lit pixels, which alone can hold a highlight, and the sums of which the
-/// energy of a picture without one is made.
+constexpr int kWhite = 255;
+
+/// A factor in [0, 1] as calcColor cuts it.
+int code_of(double factor) {
+  return static_cast<int>(factor * kWhite);
+}
+
+struct pixel {
+  double cos_half;          ///< N . H
+  std::array<int, 3> base;  ///< colours without a highlight
+};
+
 struct lit_sphere {
-  std::vector<double> cosines;  ///< N . H, lit pixels
-  std::vector<double> diffuse;  ///< N . L, lit pixels
-  double pixels = 0;            ///< lit or not
-  double diffuse_sum = 0;
-  double diffuse_square = 0;
+  std::vector<pixel> pixels;          ///< falling cos_half, so that a highlight comes first
+  std::vector<double> energy_behind;  ///< entry i: sum of base^2 over the pixels from i on
 };
 
-const lit_sphere& sphere() {
-  static const lit_sphere result = [] {
-    const sphere_scene scene;
-    const vec3<double> half_vec = half_vector(scene.light, scene.view);
-    lit_sphere lit;
-    for (const auto& pixel : sphere_pixels(scene)) {
-      ++lit.pixels;
-      if (!faces_both(pixel.normal, scene.light, scene.view)) continue;
-      const double diffuse = clamped_cosine(pixel.normal, scene.light);
-      lit.cosines.push_back(clamped_cosine(pixel.normal, half_vec));
-      lit.diffuse.push_back(diffuse);
-      lit.diffuse_sum += diffuse;
-      lit.diffuse_square += diffuse * diffuse;
+const lit_sphere& sphere(std::size_t scene) {
+  static const auto all = [] {
+    std::array<lit_sphere, kPictureScenes.size()> result;
+    const sphere_scene geometry;
+    const vec3<double> half_vec = half_vector(geometry.light, geometry.view);
+    for (std::size_t s = 0; s < result.size(); ++s) {
+      const picture_scene& light = kPictureScenes[s];
+      auto& pixels = result[s].pixels;
+      for (const auto& [x, y, normal] : sphere_pixels(geometry)) {
+        const int diffuse = code_of(light.kd * clamped_cosine(normal, geometry.light));
+        pixel p{clamped_cosine(normal, half_vec), {}};
+        for (std::size_t i = 0; i < p.base.size(); ++i) p.base[i] = light.colour[i] * diffuse / kWhite;
+        pixels.push_back(p);
+      }
+      std::ranges::stable_sort(pixels, std::ranges::greater{}, &pixel::cos_half);
+      auto& energy = result[s].energy_behind;
+      energy.assign(pixels.size() + 1, 0);
+      for (std::size_t i = pixels.size(); i-- > 0;) {
+        energy[i] = energy[i + 1];
+        for (const int base : pixels[i].base) energy[i] += base * base;
+      }
     }
-    return lit;
+    return result;
   }();
-  return result;
+  return all[scene];
 }
 
-std::vector<double> highlight(lobe which, int n) {
-  std::vector<double> result(sphere().cosines.size());
-  evaluate(which, n, sphere().cosines, result);
-  for (double& value : result) value = std::max(0.0, value);
-  return result;
-}
-
-std::vector<double> highlight(const table_form& form) {
+/// Highlight of each pixel in the order of sphere(0), as far as it shows: a lobe falls with the angle.
+template <class Lobe>
+std::vector<double> highlight(const Lobe& lobe) {
   std::vector<double> result;
-  for (const double c : sphere().cosines) result.push_back(form(c));
-  return result;
-}
-
-double squared_distance(const std::vector<double>& a, const std::vector<double>& b) {
-  double result = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) result += (a[i] - b[i]) * (a[i] - b[i]);
-  return result;
-}
-
-/// Sums of Blinn's highlight b over the lit pixels, of which the energy of every scene's picture is made.
-struct reference_sums {
-  double plain, square, diffuse;  ///< b, b^2, b (N . L)
-};
-
-struct sphere_sums {
-  std::vector<reference_sums> reference;                       ///< entry n - 1
-  std::map<std::string_view, std::vector<double>> difference;  ///< by lobe's name: sum (b - f)^2, entry n - 1
-};
-
-/// All lobes at once, as each needs Blinn's highlights.
-sphere_sums measure() {
-  sphere_sums result;
-  const auto& diffuse = sphere().diffuse;
-  for (int n = 1; n <= kMaxExponent; ++n) {
-    const auto blinn = highlight(lobe::blinn, n);
-    reference_sums sums{};
-    for (std::size_t i = 0; i < blinn.size(); ++i) {
-      sums.square += blinn[i] * blinn[i];
-      sums.diffuse += blinn[i] * diffuse[i];
-      sums.plain += blinn[i];
-    }
-    result.reference.push_back(sums);
-    for (const lobe which : kApproximations)
-      result.difference[name_of(which)].push_back(squared_distance(blinn, highlight(which, n)));
-    result.difference[table_form::kName].push_back(
-        squared_distance(blinn, highlight(best_table_form(epicentre::level_060, n))));
+  for (const pixel& p : sphere(0).pixels) {
+    const double value = lobe(p.cos_half);
+    if (!(value * kWhite >= 1)) break;
+    result.push_back(value);
   }
   return result;
 }
 
-const sphere_sums& sums() {
-  static const sphere_sums result = measure();
+std::vector<double> highlight(lobe which, int n) {
+  return with_lobe(which, static_cast<double>(n), [](const auto& f) { return highlight(f); });
+}
+
+/// NMSE of the pictures with either highlight; beyond their ends they are 0.
+double nmse_of(const std::vector<double>& reference, const std::vector<double>& tried, std::size_t scene) {
+  const auto& [pixels, energy_behind] = sphere(scene);
+  const double ks = kPictureScenes[scene].ks;
+  double difference = 0;
+  double energy = 0;
+  const std::size_t end = std::max(reference.size(), tried.size());
+  for (std::size_t i = 0; i < end; ++i) {
+    const int a = i < reference.size() ? code_of(ks * reference[i]) : 0;
+    const int b = i < tried.size() ? code_of(ks * tried[i]) : 0;
+    for (const int base : pixels[i].base) {
+      const int first = std::min(kWhite, base + a);
+      const int second = std::min(kWhite, base + b);
+      difference += (first - second) * (first - second);
+      energy += first * first;
+    }
+  }
+  return difference / (energy + energy_behind[end]);
+}
+
+using nmse_by_exponent = std::array<std::vector<double>, kPictureScenes.size()>;
+
+std::map<std::string_view, nmse_by_exponent> measure() {
+  std::map<std::string_view, nmse_by_exponent> result;
+  for (int n = 1; n <= kMaxExponent; ++n) {
+    const auto blinn = highlight(lobe::blinn, n);
+    const auto add = [&](std::string_view name, const std::vector<double>& tried) {
+      for (std::size_t s = 0; s < kPictureScenes.size(); ++s)
+        result[name][s].push_back(nmse_of(blinn, tried, s));
+    };
+    for (const lobe which : kApproximations) add(name_of(which), highlight(which, n));
+    add(table_form::kName, highlight(best_table_form(epicentre::level_060, n)));
+  }
+  return result;
+}
+
+const std::map<std::string_view, nmse_by_exponent>& measured() {
+  static const auto result = measure();
   return result;
 }
 
 }  // namespace
 
-double sphere_nmse(std::string_view which, const picture_scene& scene, int n) {
-  const auto index = static_cast<std::size_t>(n) - 1;
-  const auto& [ambient_light, point_light, ka, kd, ks] = scene.light;
-  const double ambient = ambient_light * ka;
-  const double diffuse = point_light * kd;
-  const double specular = point_light * ks;
-  const double base = sphere().pixels * ambient * ambient + 2 * ambient * diffuse * sphere().diffuse_sum +
-                      diffuse * diffuse * sphere().diffuse_square;
-  const auto& b = sums().reference[index];
-  const double energy =
-      base + 2 * specular * (ambient * b.plain + diffuse * b.diffuse) + specular * specular * b.square;
-  return specular * specular * sums().difference.at(which)[index] / energy;
+double sphere_nmse(std::string_view which, std::size_t scene, int n) {
+  return measured().at(which)[scene][static_cast<std::size_t>(n) - 1];
 }
 
-std::vector<table> picture_tables() {
-  constexpr std::array kListed{1, 2, 3, 5, 10, 20, 50, 100, 169, 170, 200, 500, 1000};
-  std::string text =
-      "# NMSE on the sphere against Blinn's lobe\n\n512 x 512 pixels, orthographic view (0, 0, 1), one light "
-      "along (0.4, 0.5, 0.75), radius 0.9 of half the side; negative lobes set to zero; real-valued "
-      "pictures. "
-      "The light's colour cancels. [T] reads up to 1e-4 as no visible difference, to 2.5e-4 slight, to 1e-3 "
-      "visible, above strong. The last column is the largest over every n in 1..1000. schlick-modified-e is "
-      "the form of [T] table 3.2, a fitted to the error where c^n >= 0.6.\n";
-  for (const auto& scene : kPictureScenes) {
-    std::vector<std::vector<std::string>> rows{{"lobe \\ n"}};
-    for (const int n : kListed) rows.front().push_back(std::to_string(n));
-    rows.front().push_back("largest, at n");
-    for (const auto& [name, differences] : sums().difference) {
-      rows.push_back({std::string(name)});
-      const auto value = [&, which = name](int n) { return sphere_nmse(which, scene, n); };
-      for (const int n : kListed) rows.back().push_back(number(value(n), 2));
-      const worst w = worst_over(1, kMaxExponent, value);
-      rows.back().push_back("**" + number(w.value, 2) + "**, " + std::to_string(w.n));
-    }
-    text += "\n## " + std::string(scene.name) + "\n\n" + markdown(rows);
-  }
-  return {{"nmse.md", text}};
+const std::vector<std::string_view>& pictured_lobes() {
+  static const auto result = [] {
+    std::vector<std::string_view> names;
+    for (const auto& entry : measured()) names.push_back(entry.first);
+    return names;
+  }();
+  return result;
 }
 
-}  // namespace blysk::golden
+}  // namespace blysk::claims

@@ -6,7 +6,9 @@
 
 #include "tb/golden/errors.h"
 
-namespace blysk::golden {
+namespace blysk::claims {
+
+using namespace golden;
 
 double slope_error(double slope, slope_axis axis, int first) {
   double result = 0;
@@ -32,4 +34,4 @@ double best_slope(slope_axis axis, int first) {
       .first;
 }
 
-}  // namespace blysk::golden
+}  // namespace blysk::claims

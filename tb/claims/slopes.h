@@ -2,7 +2,7 @@
 /// Which slope of the line a = slope n - 1/2 is best, and on which axis.
 #pragma once
 
-namespace blysk::golden {
+namespace blysk::claims {
 
 enum class slope_axis {
   whole,       ///< largest absolute error over cos in [0, 1], clamped
@@ -16,4 +16,4 @@ double slope_error(double slope, slope_axis axis, int first);
 /// The slope in [0.1, 1.2] with the least slope_error, to four digits.
 double best_slope(slope_axis axis, int first);
 
-}  // namespace blysk::golden
+}  // namespace blysk::claims

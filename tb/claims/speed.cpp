@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace blysk::golden {
+namespace blysk::claims {
 
 double recorded_speed(std::string_view name) {
   std::ifstream file(BLYSK_SPEED_CSV);
@@ -17,4 +17,4 @@ double recorded_speed(std::string_view name) {
   throw std::runtime_error("no row " + std::string(name) + " in " BLYSK_SPEED_CSV);
 }
 
-}  // namespace blysk::golden
+}  // namespace blysk::claims

@@ -4,11 +4,11 @@
 
 #include <string_view>
 
-namespace blysk::golden {
+namespace blysk::claims {
 
 /// Elements in the time of one std::pow(double, double), the column pow_ratio.
 /// \param name  row, such as "double/schlick"
 /// \throws std::runtime_error if there is no such row
 double recorded_speed(std::string_view name);
 
-}  // namespace blysk::golden
+}  // namespace blysk::claims

@@ -3,10 +3,10 @@
 
 #include <map>
 
-#include "tb/claims/claim.h"
+#include "tb/claims/words.h"
 #include "tb/golden/angle.h"
 
-namespace blysk::golden {
+namespace blysk::claims {
 namespace {
 
 error_summary measure(const std::function<double(double)>& f, double n) {
@@ -72,4 +72,4 @@ worst worst_whole(lobe which, int last) {
   return worst_over(1, last, [&](int n) { return errors[static_cast<std::size_t>(n) - 1].whole.value; });
 }
 
-}  // namespace blysk::golden
+}  // namespace blysk::claims

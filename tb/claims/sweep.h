@@ -10,7 +10,9 @@
 #include "tb/golden/errors.h"
 #include "tb/golden/reflectance.h"
 
-namespace blysk::golden {
+namespace blysk::claims {
+
+using namespace golden;  // whose functions are measured
 
 inline constexpr int kMaxExponent = 1000;
 
@@ -78,4 +80,4 @@ worst worst_relative(lobe which, epicentre where, int last = kMaxExponent);
 worst worst_absolute(lobe which, epicentre where, int last = kMaxExponent);
 worst worst_whole(lobe which, int last = kMaxExponent);
 
-}  // namespace blysk::golden
+}  // namespace blysk::claims

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <boost/math/tools/roots.hpp>
 
-namespace blysk::golden {
+namespace blysk::claims {
 namespace {
 
 /// The form over c^n with b = n - a: c^-b / (n (1 - c) + c). From 1 at c = 1 it falls, as the angle grows, to its one
@@ -35,4 +35,4 @@ double table_form_error(epicentre where, int n) {
   return q.shortfall(q.n - best_table_form(where, n).a);
 }
 
-}  // namespace blysk::golden
+}  // namespace blysk::claims

@@ -7,7 +7,9 @@
 
 #include "tb/golden/errors.h"
 
-namespace blysk::golden {
+namespace blysk::claims {
+
+using namespace golden;  // whose functions are measured
 
 /// cos^a x / (n - n cos x + cos x).
 struct table_form {
@@ -25,4 +27,4 @@ table_form best_table_form(epicentre where, int n);
 /// Largest relative error of best_table_form in its epicentre.
 double table_form_error(epicentre where, int n);
 
-}  // namespace blysk::golden
+}  // namespace blysk::claims

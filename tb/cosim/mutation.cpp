@@ -15,8 +15,8 @@
 
 #include "tb/cosim/mutants.h"
 #include "tb/cosim/strobes.h"
-#include "tb/files.h"
 #include "tb/inputs.h"
+#include "tb/output_file.h"
 #include "tb/program.h"
 #include "tb/progress.h"
 

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "tb/files.h"
 #include "tb/inputs.h"
+#include "tb/output_file.h"
 #include "tb/program.h"
 
 namespace blysk {

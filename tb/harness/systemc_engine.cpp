@@ -7,6 +7,7 @@
 #include <iterator>
 #include <systemc>
 
+#include "tb/harness/layout.h"
 #include "tb/netlist/elaborated.h"
 
 namespace blysk::harness {
@@ -158,6 +159,7 @@ class engine_of_host final : public systemc_engine {
  public:
   explicit engine_of_host(const selection& asked)
       : systemc_engine(columns(asked.of().ports(asked), port::role::result).layout()),
+        arguments_(arguments_of(asked)),
         device_(asked.of().elaborate(asked, kClockPeriodNs)),
         host_("host", *device_) {}
   ~engine_of_host() override { engine_of_host::stop_trace(); }
@@ -166,6 +168,7 @@ class engine_of_host final : public systemc_engine {
     path_ = path + ".vcd";
     file_ = sc_core::sc_create_vcd_trace_file(path.c_str());
     file_->set_time_unit(1, sc_core::SC_PS);
+    file_->write_comment(kWaveComment + arguments_);
     record(*device_, file_);
   }
 
@@ -184,6 +187,7 @@ class engine_of_host final : public systemc_engine {
  private:
   void compute(const columns& in, columns& out) override { host_.run(in, out); }
 
+  std::string arguments_;  // that choose the device, for who reads the waves
   std::unique_ptr<netlist::elaborated> device_;
   host host_;
   sc_core::sc_trace_file* file_ = nullptr;

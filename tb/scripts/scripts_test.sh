@@ -139,39 +139,40 @@ END
     tree tree
     # What follows the header is no header.
     cat >waves.vcd <<'END'
+$comment
+blysk-device --device quadratic --format q12 --as-published
+$end
 $scope module SystemC $end
 $var wire 1 aaa clk $end
-$var wire 9 aab cos18 [8:0] $end
 $scope module rg1 $end
 $var wire 10 aac q_o [9:0] $end
 $upscope $end
 $upscope $end
 $enddefinitions $end
+blysk-device --device other --format q8
 $scope module SystemC $end
 $var wire 31 aab cos18 [30:0] $end
 END
-    cat >layout.gtkw <<'END'
-SystemC.clk
-[fpshift_count] 16
-SystemC.cos18[16:0]
-+{n} SystemC.rg1.q_o[3:0]
-END
-    fit() { exits "$1" bash -c '. tree/scripts/lib.sh; fit_layout "$1" "$2"' fit "$2" "$3"; }
-    fit 0 waves.vcd layout.gtkw
-    diff - said <<'END'
-SystemC.clk
-[fpshift_count] 8
-SystemC.cos18[8:0]
-+{n} SystemC.rg1.q_o[9:0]
-END
+    printf '%s\n' '+{n} SystemC.rg1.q_o[9:0]' >layout.gtkw
+    printf '%s\n' 'SystemC.cos18[30:0]' >none.gtkw
+    shows() { exits "$1" bash -c '. tree/scripts/lib.sh; layout_shows "$1" "$2"' shows "$2" "$3"; }
+    names() {
+      exits 0 bash -c '. tree/scripts/lib.sh; device_of_waves "$1"' names "$1"
+      [ "$(cat said)" = "$2" ] || fail "$1: $(cat said)"
+    }
+    shows 0 waves.vcd layout.gtkw
+    shows 1 waves.vcd none.gtkw
+    names waves.vcd '--device quadratic --format q12 --as-published'
     # A terabyte of waves takes no time.
     cp waves.vcd large.vcd
     truncate -s 1T large.vcd
-    fit 0 large.vcd layout.gtkw
+    shows 0 large.vcd layout.gtkw
+    names large.vcd '--device quadratic --format q12 --as-published'
     cp layout.gtkw 'is=a name.gtkw'
-    fit 0 waves.vcd 'is=a name.gtkw'
-    sed 's/SystemC/TOP/' waves.vcd >other.vcd
-    fit 1 other.vcd layout.gtkw
+    shows 0 waves.vcd 'is=a name.gtkw'
+    sed 's/SystemC/TOP/; s/^blysk-device.*/blysk-device $(touch owned)/' waves.vcd >other.vcd
+    shows 1 other.vcd layout.gtkw
+    names other.vcd ''
     ;;
   screenshot)
     tree tree

@@ -10,9 +10,9 @@
 #include <fstream>
 #include <iterator>
 
-#include "tb/files.h"
 #include "tb/golden/errors.h"
 #include "tb/golden/lobe_formulas.h"
+#include "tb/output_file.h"
 #include "tb/program.h"
 #include "tb/specular/specular.h"
 

@@ -24,8 +24,12 @@ std::function<double(double, double)> parabola::formula(const selection& asked) 
   return [line](double n, double c) { return std::clamp(golden::quadratic<double>(line, n, c), 0.0, 1.0); };
 }
 
+double parabola::coefficient(const selection& asked, double n) const {
+  return golden::coefficient<double>(line_of(asked), n);
+}
+
 double parabola::root(const selection& asked, double n) const {
-  const double a = golden::coefficient<double>(line_of(asked), n);
+  const double a = coefficient(asked, n);
   return a > 1 ? 1 - 1 / a : 0;
 }
 

@@ -12,6 +12,13 @@ class parabola : public device_of_points {
   std::function<double(double, double)> formula(const selection& asked) const override;
   double root(const selection& asked, double n) const override;
 
+  /// The coefficient a of the formula.
+  double coefficient(const selection& asked, double n) const;
+
+  /// The coefficient a that the hardware forms, raw, with widths(asked)["coefficient"] fraction bits.
+  /// \param n  1..1000
+  virtual std::int64_t wired_coefficient(const selection& asked, int n) const = 0;
+
  protected:
   /// \param names  of the lines that the device has in hardware, the preset first
   /// \param formula_names  of those that its formula alone has

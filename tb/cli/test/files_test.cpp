@@ -9,7 +9,7 @@
 
 #include "tb/catch.h"
 #include "tb/cli/test/program.h"
-#include "tb/cosim/program.h"
+#include "tb/output_file.h"
 #include "tb/usage_error.h"
 
 namespace {
@@ -23,6 +23,12 @@ int shell(const scratch& folder, const std::string& commands) {
   const int raw = std::system(
       ("cd " + quoted(folder.path("")) + " && BLYSK=" + quoted(BLYSK_PROGRAM) + " && " + commands).c_str());
   return WIFEXITED(raw) ? WEXITSTATUS(raw) : -1;
+}
+
+void write_file(const std::string& path, const std::string& text) {
+  blysk::output_file file(path);
+  file.write(text);
+  file.commit();
 }
 
 std::vector<std::string> sorted_names(const scratch& folder) {
@@ -77,11 +83,11 @@ TEST_CASE("a table of the co-simulation goes to its place by a name of its own",
   const scratch folder;
   folder.write("precious", "precious");
   fs::create_symlink("precious", folder.path("table.md.part"));
-  blysk::cosim::write_file(folder.path("table.md"), "text");
+  write_file(folder.path("table.md"), "text");
   CHECK(slurp(folder.path("table.md")) == "text");
   CHECK_FALSE(fs::is_symlink(folder.path("table.md")));
   CHECK(slurp(folder.path("precious")) == "precious");
-  CHECK_THROWS_AS(blysk::cosim::write_file(folder.path("none/table.md"), "text"), blysk::usage_error);
+  CHECK_THROWS_AS(write_file(folder.path("none/table.md"), "text"), blysk::usage_error);
   CHECK(folder.names().size() == 3);
 }
 

@@ -4,9 +4,11 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <functional>
+#include <map>
 #include <random>
 #include <string>
 #include <vector>
@@ -14,11 +16,20 @@
 #include "tb/catch.h"
 #include "tb/cli/stream.h"
 #include "tb/cli/test/program.h"
+#include "tb/device.h"
 
 namespace {
 
 using namespace blysk;
 using namespace blysk::cli;
+
+/// The ports of the first device, whose columns are n,cos,r,g,b and brdf,red,green,blue.
+std::vector<port> ports_of(const std::string& format, bool as_published = false) {
+  const selection asked = choose(devices().front()->name(), format,
+                                 as_published ? std::map<std::string, std::string>{{"as-published", "on"}}
+                                              : std::map<std::string, std::string>{});
+  return asked.of().ports(asked);
+}
 
 std::vector<std::string> lines_of(const std::string& text) {
   std::vector<std::string> lines;
@@ -59,20 +70,23 @@ TEST_CASE("rows are read as the C library reads their numbers", "[cli]") {
     text += fmt::format(fmt::runtime(form), made.n, made.cosine, made.red, made.green, made.blue);
   }
   text.pop_back();  // no end of line at the end
-  csv_reader reader(folder.write("in.csv", text), kStimulusHeader);
+  const std::vector<port> ports = ports_of("q24");
+  csv_reader reader(folder.write("in.csv", text), stimulus_header(ports));
   constexpr int fraction = 24;
-  batch block;
+  columns block;
   std::size_t i = 0;
-  for (read_block(reader, fraction, block); block.size() != 0; read_block(reader, fraction, block)) {
+  for (read_block(reader, ports, block); block.size() != 0; read_block(reader, ports, block)) {
     for (std::size_t k = 0; k < block.size(); ++k, ++i) {
       const row& made = expected.at(i);
       const double scaled = std::ldexp(std::strtod(made.cosine.c_str(), nullptr), fraction);
       CAPTURE(i, made.cosine);
-      REQUIRE(block.n[k] == made.n);
-      REQUIRE(block.cos_delta[k] == static_cast<std::uint32_t>(std::floor(scaled + 0.5)));
-      REQUIRE(block.red_ks[k] == made.red);
-      REQUIRE(block.green_ks[k] == made.green);
-      REQUIRE(block.blue_ks[k] == made.blue);
+      const auto expected_code =
+          static_cast<std::int64_t>(std::floor(scaled)) + (scaled - std::floor(scaled) >= 0.5);
+      REQUIRE(block[0].get(k) == static_cast<std::int64_t>(made.n));
+      REQUIRE(block[1].get(k) == expected_code);
+      REQUIRE(block[2].get(k) == static_cast<std::int64_t>(made.red));
+      REQUIRE(block[3].get(k) == static_cast<std::int64_t>(made.green));
+      REQUIRE(block[4].get(k) == static_cast<std::int64_t>(made.blue));
     }
   }
   CHECK(i == expected.size());
@@ -87,7 +101,7 @@ TEST_CASE("rows that look plain and are wrong are refused", "[cli]") {
       {",0.5,1,2,3", "n is '', expected an integer 1..1000"},
       {"1:,0.5,1,2,3", "n is '1:', expected an integer 1..1000"},
       {"1/,0.5,1,2,3", "n is '1/', expected an integer 1..1000"},
-      {"\xB1,0.5,1,2,3", "n is '\xB1', expected an integer 1..1000"},
+      {"\xB1,0.5,1,2,3", "n is '\\xB1', expected an integer 1..1000"},
       {"1,1.0000001,1,2,3", "cos is '1.0000001', expected a real number in [0, 1]"},
       {"1,2.0,1,2,3", "cos is '2.0', expected a real number in [0, 1]"},
       {"1,0.5x,1,2,3", "cos is '0.5x', expected a real number in [0, 1]"},
@@ -104,9 +118,9 @@ TEST_CASE("rows that look plain and are wrong are refused", "[cli]") {
   for (const std::string end : {"", "\n", "\r\n", "\n9,0.9,9,9,9\n"}) {
     CAPTURE(row, end);
     csv_reader reader(folder.write("in.csv", fmt::format("n,cos,r,g,b\n7,0.7,7,7,7\n{}{}", row, end)),
-                      kStimulusHeader);
-    batch block;
-    CHECK_THROWS_WITH(read_block(reader, 8, block), folder.path("in.csv") + ":3: " + message);
+                      "n,cos,r,g,b");
+    columns block;
+    CHECK_THROWS_WITH(read_block(reader, ports_of("q8"), block), folder.path("in.csv") + ":3: " + message);
   }
 }
 
@@ -120,39 +134,68 @@ std::string decimal(std::int64_t raw, int fraction) {
 
 TEST_CASE("results are written with all their digits", "[cli]") {
   const int fraction = GENERATE(8, 10, 16, 20, 22, 24);
+  const std::vector<port> ports = ports_of(fmt::format("q{}", fraction), true);  // signed results
   std::mt19937_64 random(2);
-  row_block block;
-  auto& raw = block.compute_as<results>();
+  row_block block{columns(ports, port::role::data), columns(ports, port::role::result)};
   const std::size_t size = 70'000;
   block.writes.resize(size);
-  raw.resize(size);
+  block.computed.resize(size);
   const std::int64_t one = std::int64_t{1} << fraction;
+  std::vector<std::array<std::int64_t, 9>> expected(size);
   for (std::size_t i = 0; i < size; ++i) {
     const std::uint64_t bits = random();
-    block.writes.n[i] = static_cast<std::uint16_t>(1 + i % 1000);
-    block.writes.cos_delta[i] =
-        static_cast<std::uint32_t>(static_cast<std::int64_t>(i) % (one + 1));  // q16: all
-    block.writes.red_ks[i] = static_cast<std::uint8_t>(i);
-    block.writes.green_ks[i] = static_cast<std::uint8_t>(bits);
-    block.writes.blue_ks[i] = static_cast<std::uint8_t>(bits >> 8);
-    raw.brdf[i] = static_cast<std::int64_t>(bits % static_cast<std::uint64_t>(2 * one)) - one;
-    raw.red[i] =
-        static_cast<std::int64_t>(bits % static_cast<std::uint64_t>(65536 * one)) * (i % 2 == 0 ? 1 : -1);
-    raw.green[i] = raw.brdf[i] * block.writes.green_ks[i];
-    raw.blue[i] = raw.red[i] >> fraction << fraction;  // whole numbers
+    auto& [n, c, r, g, b, brdf, red, green, blue] = expected[i];
+    n = static_cast<std::int64_t>(1 + i % 1000);
+    c = static_cast<std::int64_t>(i) % (one + 1);  // q16: all
+    r = static_cast<std::int64_t>(i % 256);
+    g = static_cast<std::int64_t>(bits % 256);
+    b = static_cast<std::int64_t>((bits >> 8) % 256);
+    brdf = static_cast<std::int64_t>(bits % static_cast<std::uint64_t>(2 * one)) - one;
+    red = static_cast<std::int64_t>(bits % static_cast<std::uint64_t>(65536 * one)) * (i % 2 == 0 ? 1 : -1);
+    green = brdf * g;
+    blue = red >> fraction << fraction;  // whole numbers
+    for (std::size_t k = 0; k < 5; ++k) block.writes[k].set(i, expected[i].at(k));
+    for (std::size_t k = 0; k < 4; ++k) block.computed[k].set(i, expected[i].at(5 + k));
   }
   fmt::memory_buffer text;
-  append_rows(text, block, fraction);
+  append_rows(text, ports, block);
   const auto lines = lines_of({text.data(), text.size()});
   REQUIRE(lines.size() == size);
-  const batch& writes = block.writes;
   for (std::size_t i = 0; i < size; ++i) {
-    REQUIRE(lines[i] == fmt::format("{},{},{},{},{},{},{},{},{}", writes.n[i],
-                                    decimal(writes.cos_delta[i], fraction), writes.red_ks[i],
-                                    writes.green_ks[i], writes.blue_ks[i], decimal(raw.brdf[i], fraction),
-                                    decimal(raw.red[i], fraction), decimal(raw.green[i], fraction),
-                                    decimal(raw.blue[i], fraction)));
+    const auto& [n, c, r, g, b, brdf, red, green, blue] = expected[i];
+    REQUIRE(lines[i] == fmt::format("{},{},{},{},{},{},{},{},{}", n, decimal(c, fraction), r, g, b,
+                                    decimal(brdf, fraction), decimal(red, fraction), decimal(green, fraction),
+                                    decimal(blue, fraction)));
   }
+}
+
+TEST_CASE("a cosine is rounded to its nearest code, ties up", "[cli]") {
+  const scratch folder;
+  const std::vector<port> ports = ports_of("q8");
+  const auto [text, code] =
+      GENERATE(table<std::string, int>({{"0.0019531249999999998", 0},  // a double below half a code
+                                        {"0.001953125", 1},
+                                        {"0.0058593749999999991", 1},
+                                        {"0.005859375", 2},
+                                        {"1e-400", 0},
+                                        {"0.99804687499999989", 255},
+                                        {"0.998046875", 256},
+                                        {"1", 256}}));
+  CAPTURE(text);
+  csv_reader reader(folder.write("in.csv", "n,cos,r,g,b\n1," + text + ",1,2,3\n"), stimulus_header(ports));
+  columns block;
+  read_block(reader, ports, block);
+  REQUIRE(block.size() == 1);
+  CHECK(block[1].get(0) == code);
+}
+
+TEST_CASE("a cosine that is too large for a double is outside its range", "[cli]") {
+  const scratch folder;
+  const std::vector<port> ports = ports_of("q8");
+  csv_reader reader(folder.write("in.csv", "n,cos,r,g,b\n1,1e400,1,2,3\n"), stimulus_header(ports));
+  columns block;
+  CHECK_THROWS_WITH(read_block(reader, ports, block),
+                    folder.path("in.csv") + ":2: cos is '1e400', expected a real number in [0, 1]");
 }
 
 constexpr int kRows = 3 * static_cast<int>(kRowsPerBlock) + 1;
@@ -164,19 +207,26 @@ std::string stimulus() {
 
 TEST_CASE("rows stream through in their order", "[cli]") {
   const scratch folder;
-  csv_reader reader(folder.write("in.csv", stimulus()), kStimulusHeader);
+  const std::vector<port> ports = ports_of("q8");
+  csv_reader reader(folder.write("in.csv", stimulus()), stimulus_header(ports));
   output_file file(folder.path("out.csv"));
   const auto rows = stream(
-      reader, 8,
+      reader, ports,
       [](row_block& block) {
-        block.compute_as<std::vector<double>>().assign(block.writes.n.begin(), block.writes.n.end());
+        block.computed = columns(std::vector<storage>(4, storage::f64));
+        block.computed.resize(block.writes.size());
+        for (std::size_t i = 0; i < block.writes.size(); ++i) {
+          const double n = block.writes[0].real(i);
+          block.computed[0].set(i, n);
+          for (std::size_t k = 1; k < 4; ++k) block.computed[k].set(i, n * block.writes[1 + k].real(i));
+        }
       },
       file);
   file.commit();
   CHECK(rows == kRows);
   const auto lines = lines_of(slurp(folder.path("out.csv")));
   REQUIRE(lines.size() == kRows + 1);
-  CHECK(lines[0] == kResultsHeader);
+  CHECK(lines[0] == "n,cos,r,g,b,brdf,red,green,blue");
   for (int i = 0; i < kRows; ++i) {
     const int n = 1 + i % 1000;
     const int red = i / 1000;
@@ -187,30 +237,34 @@ TEST_CASE("rows stream through in their order", "[cli]") {
 
 TEST_CASE("what goes wrong in either thread ends the stream", "[cli]") {
   const scratch folder;
-  const auto nothing = [](row_block& block) { block.compute_as<results>().resize(block.writes.size()); };
+  const std::vector<port> ports = ports_of("q8");
+  const auto nothing = [&](row_block& block) {
+    block.computed = columns(ports, port::role::result);
+    block.computed.resize(block.writes.size());
+  };
   SECTION("in the stimulus") {
-    csv_reader reader(folder.write("in.csv", stimulus() + "bad\n"), kStimulusHeader);
+    csv_reader reader(folder.write("in.csv", stimulus() + "bad\n"), stimulus_header(ports));
     output_file file(folder.path("out.csv"));
     CHECK_THROWS_WITH(
-        stream(reader, 8, nothing, file),
+        stream(reader, ports, nothing, file),
         folder.path("in.csv") + fmt::format(":{}: row has 1 fields, expected 5: n,cos,r,g,b", kRows + 2));
   }
   SECTION("in the engine") {
-    csv_reader reader(folder.write("in.csv", stimulus()), kStimulusHeader);
+    csv_reader reader(folder.write("in.csv", stimulus()), stimulus_header(ports));
     output_file file(folder.path("out.csv"));
     int blocks = 0;
     const auto fail_later = [&](row_block& block) {
       nothing(block);
       if (++blocks == 3) throw usage_error("no more");
     };
-    CHECK_THROWS_WITH(stream(reader, 8, fail_later, file), "no more");
+    CHECK_THROWS_WITH(stream(reader, ports, fail_later, file), "no more");
   }
   SECTION("in the results, long before the stimulus ends") {
     std::string many = stimulus();
     for (int i = 0; i < 4; ++i) many += many.substr(many.find('\n') + 1);
-    csv_reader reader(folder.write("in.csv", many), kStimulusHeader);
+    csv_reader reader(folder.write("in.csv", many), stimulus_header(ports));
     output_file file("/dev/full");
-    CHECK_THROWS_WITH(stream(reader, 8, nothing, file),
+    CHECK_THROWS_WITH(stream(reader, ports, nothing, file),
                       "/dev/full:1: cannot be written (No space left on device)");
     CHECK(reader.next());
   }

@@ -56,6 +56,11 @@ class quadratic final : public specular::parabola {
                        constant.empty() ? "" : fmt::format(", constant 0.{}b", constant), lobe_words(asked));
   }
 
+  std::int64_t wired_coefficient(const selection& asked, int n) const override {
+    const wired_constants wired = wires(asked);
+    return wired.slope * n + wired.offset * (std::int64_t{1} << (slope_bits(asked.fraction()) - 1));
+  }
+
   std::unique_ptr<engine> make_bit(const selection& asked) const override {
     const wired_constants wired = wires(asked);
     const auto make = [wired]<class Formats>() {

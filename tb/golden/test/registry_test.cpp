@@ -96,6 +96,9 @@ TEST_CASE("values worked out by hand", "[golden]") {
   CHECK(call("rational", {1, 0.25}) ==
         Approx(0.25).epsilon(0).margin(1e-14));  // c itself at n = 1, 60 roundoffs
   CHECK(call("angle", {10, 2, 0.5, 0}) == 1);
+  // The same parabola by its line: 786.5 (0.25 - 0.5) + 0.5, its slope rounded by 4 roundoffs.
+  CHECK(quadratic(coefficient_line::published, 1000.0, 0.5) == Approx(-196.125).epsilon(1e-15));
+  CHECK(rational(1.0, 0.25) == call("rational", {1, 0.25}));
 }
 
 TEST_CASE("a model takes as many inputs as its header has columns", "[golden]") {

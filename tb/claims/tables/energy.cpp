@@ -1,145 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
-// Errors, energy and stability by exponent: the pages under docs/tables that the rows refer to.
+// docs/tables/energy.md and energy_angle.md: reflectance.
 #include <algorithm>
+#include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <cmath>
 #include <functional>
 
-#include "tb/claims/claim.h"
-#include "tb/claims/slopes.h"
+#include "tb/claims/article.h"
 #include "tb/claims/sweep.h"
+#include "tb/claims/tables/tables.h"
+#include "tb/claims/words.h"
 #include "tb/golden/angle.h"
-#include "tb/golden/hard_forms.h"
 #include "tb/golden/scene.h"
 
-namespace blysk::golden {
-namespace {
-
-constexpr std::array kListed{1, 2, 3, 5, 10, 20, 50, 100, 200, 500, 1000};
-
-std::vector<std::string> head_of(std::string_view first) {
-  std::vector<std::string> result{std::string(first)};
-  for (const int n : kListed) result.push_back(std::to_string(n));
-  return result;
-}
-
-/// The lobes of kApproximations and the angle-based one at Q = 0.5, by name.
-std::vector<std::pair<std::string, const std::vector<error_summary>*>> approximations() {
-  std::vector<std::pair<std::string, const std::vector<error_summary>*>> result;
-  result.reserve(std::size(kApproximations) + 5);
-  for (const lobe which : kApproximations) result.emplace_back(name_of(which), &errors_of(which));
-  for (int k = 1; k <= 5; ++k)
-    result.emplace_back("angle, Q = 0.5, k = " + std::to_string(k), &errors_of_angle(k));
-  return result;
-}
-
-/// Text of a number at each listed exponent, one row per approximation; last(errors) in a further column.
-template <class Cell, class Last>
-std::string by_exponent(std::string last_head, int first, const Cell& cell, const Last& last) {
-  auto head = head_of("lobe \\ n");
-  head.push_back(std::move(last_head));
-  std::vector<std::vector<std::string>> rows{head};
-  for (const auto& [name, errors] : approximations()) {
-    rows.push_back({name});
-    for (const int n : kListed)
-      rows.back().push_back(n < first ? "-" : cell(n, (*errors)[static_cast<std::size_t>(n) - 1]));
-    rows.back().push_back(last(*errors));
-  }
-  return markdown(rows);
-}
-
-/// Value of cos^n where an error is largest; none where there is nothing but rounding.
-std::string place_of(int n, const peak& error) {
-  return error.value < kRounding ? "-" : number(std::pow(error.cos, n), 2);
-}
-
-/// Table of an error, and of where it lies: metric(summary) is a peak.
-template <class Metric>
-std::string errors_and_places(const Metric& metric, int first = 1) {
-  const auto worst_of_all = [&](const std::vector<error_summary>& errors) {
-    return worst_over(first, kMaxExponent,
-                      [&](int n) { return metric(errors[static_cast<std::size_t>(n) - 1]).value; });
-  };
-  return by_exponent(
-             "largest, at n", first, [&](int, const error_summary& e) { return number(metric(e).value); },
-             [&](const std::vector<error_summary>& errors) {
-               const worst w = worst_of_all(errors);
-               return "**" + number(w.value) + "**, " + std::to_string(w.n);
-             }) +
-         "\nIt lies where cos^n is\n\n" +
-         by_exponent(
-             "for the largest", first, [&](int n, const error_summary& e) { return place_of(n, metric(e)); },
-             [&](const std::vector<error_summary>& errors) {
-               const int n = worst_of_all(errors).n;
-               return place_of(n, metric(errors[static_cast<std::size_t>(n) - 1]));
-             });
-}
-
-}  // namespace
-
-std::vector<table> error_tables() {
-  std::string text =
-      "# Errors against cos^n\n\nLobes limited to [0, 1] as the devices do. The last column is the largest "
-      "over every "
-      "n in 1..1000. Whole range and epicentre trade against each other: see the front at the end.\n"
-      "\n## Largest absolute error, cos in [0, 1]\n\n" +
-      errors_and_places([](const error_summary& e) { return e.whole; }) +
-      "\n## Root mean square error over cos in [0, 1]\n\n" +
-      by_exponent(
-          "largest, at n", 1, [](int, const error_summary& e) { return number(e.rms); },
-          [](const std::vector<error_summary>& errors) {
-            const worst w = worst_over(1, kMaxExponent,
-                                       [&](int n) { return errors[static_cast<std::size_t>(n) - 1].rms; });
-            return "**" + number(w.value) + "**, " + std::to_string(w.n);
-          });
-  for (const epicentre where : kEpicentres) {
-    const auto index = static_cast<std::size_t>(where);
-    text +=
-        "\n## Epicentre: " + std::string(name_of(where)) + "\n\nLargest relative error\n\n" +
-        errors_and_places([=](const error_summary& e) { return e.relative[index]; }, first_exponent(where)) +
-        "\nLargest absolute error\n\n" +
-        errors_and_places([=](const error_summary& e) { return e.absolute[index]; }, first_exponent(where));
-  }
-
-  struct column {
-    std::string name;
-    slope_axis axis;
-    int first;
-  };
-  const std::vector<column> columns{
-      {"largest absolute error, whole range, n = 1..1000", slope_axis::whole, 1},
-      {"largest relative error, c^n >= 0.56, n = 1..1000", slope_axis::epicentre, 1},
-      {"the same, n = 2..1000", slope_axis::epicentre, 2},
-      {"largest relative error, up to the inflection point, n = 2..1000", slope_axis::inflection, 2}};
-  std::vector<std::vector<std::string>> rows{{"slope"}};
-  for (const column& c : columns) rows.front().push_back(c.name);
-  const auto add_row = [&](double slope, std::string name) {
-    rows.push_back({std::move(name)});
-    for (const column& c : columns) rows.back().push_back(number(slope_error(slope, c.axis, c.first)));
-  };
-  for (int i = 20; i <= 100; i += 4) add_row(i / 100.0, number(i / 100.0));
-  rows.push_back({"**best slope**"});
-  for (const column& c : columns) {
-    const double slope = best_slope(c.axis, c.first);
-    rows.back().push_back("**" + number(slope, 4) + "**, error " +
-                          number(slope_error(slope, c.axis, c.first)));
-  }
-  text +=
-      "\n## Slope of the line a = slope n - 1/2\n\n(9) expanded gives 0.7869, [P] prints 0.786. At n = 1 the "
-      "lobe "
-      "is a line, a = 0, which the slope 1/2 meets; that one exponent decides the second column, so the "
-      "third "
-      "leaves it out. Slopes between the best of the whole range and the best of an epicentre form the "
-      "front: "
-      "there neither error falls without the other rising.\n\n" +
-      markdown(rows);
-  return {{"errors.md", text}};
-}
-
+namespace blysk::claims {
 namespace {
 
 constexpr std::array kIncidences{0.0, 30.0, 60.0, 80.0};  // degrees
 constexpr std::array kAxes{lobe_axis::half_vector, lobe_axis::mirror};
-constexpr std::array kLevels{0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9};
 
 std::string heading(lobe_axis axis) {
   return axis == lobe_axis::half_vector ? "Angle to the half vector" : "Angle to the mirror direction";
@@ -348,50 +225,4 @@ std::vector<table> angle_energy_tables() {
   return {{"energy_angle.md", text}};
 }
 
-namespace {
-
-/// Power of ten that a loss reaches: further digits depend on the version of the mathematical library.
-std::string at_least(double ulp) {
-  if (!std::isfinite(ulp)) return "not finite";
-  return ulp < 1 ? "< 1" : "10^" + std::to_string(static_cast<int>(std::log10(ulp)));
-}
-
-}  // namespace
-
-std::vector<table> stability_tables() {
-  std::vector<std::vector<std::string>> rows{{"literal form", "stable form", "of", "float: literal",
-                                              "stable within", "double: literal", "stable within"}};
-  for (const hard_form& form : hard_forms()) {
-    const loss single = worst_of(form, form.in_float);
-    const loss twice = worst_of(form, form.in_double);
-    rows.push_back({form.literal, form.stable, form.argument, at_least(single.literal),
-                    number(single.bound, 2), at_least(twice.literal), number(twice.bound, 2)});
-  }
-  std::vector<std::vector<std::string>> bits{{"n", "n 2^-(f+1) <= 1/510 asks for", "measured"}};
-  for (const int n : {1, 2, 5, 10, 20, 50, 100, 200, 500, 1000}) {
-    bits.push_back(
-        {std::to_string(n), number(std::ceil(std::log2(n * 510.0) - 1)), std::to_string(cosine_bits(n))});
-  }
-  return {{"stability.md",
-           "# Literal and stable forms: errors in ulp\n\nEach row goes through the points that its plot in "
-           "[numerics.md](../numerics.md) shows and stands at the one where the literal form is furthest "
-           "outside the "
-           "stable form's bound: the literal error there, as the power of ten that it reaches, and the "
-           "bound, which "
-           "running error analysis gives for the stable form's own steps. The exact value is the stable form "
-           "in 50 "
-           "digits at the point as float or double holds it. An ulp is the spacing of the numbers at the "
-           "exact value; "
-           "2 roundoffs, each 2^-24 or 2^-53, make an ulp of 1. `ctest -R golden.stability` holds every "
-           "stable form to "
-           "its bound at every point and prints all digits.\n\n" +
-               markdown(rows) +
-               "\n## Fraction bits of the cosine\n\nThe slope of cos^n near cos = 1 is n: f fraction bits, "
-               "rounded, "
-               "move the result by n 2^-(f+1) at most. Measured: the cosines halfway between the codes are "
-               "rounded "
-               "either way, and half an 8-bit step is allowed.\n\n" +
-               markdown(bits)}};
-}
-
-}  // namespace blysk::golden
+}  // namespace blysk::claims

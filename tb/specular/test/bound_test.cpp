@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The bit-accurate model against the device's formula, over every input, within the bound of docs/architecture.md.
+// The bit-accurate model of a device on parabola_device against its formula, over every input, within the bound of
+// docs/architecture.md.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,17 +10,16 @@
 #include <vector>
 
 #include "tb/catch.h"
-#include "tb/devices/quadratic/wires.h"
-#include "tb/golden/coefficient.h"
+#include "tb/devices/test/asked.h"
 #include "tb/inputs.h"
-#include "tb/specular/specular.h"
+#include "tb/specular/parabola_formula.h"
 
 namespace {
 
 using namespace blysk;
 using namespace blysk::specular;
 
-/// A choice of options with its engines and the numbers that the bound needs.
+/// A device with its engines and the numbers that the bound needs.
 struct subject {
   bool is_clamped;
   int cos_bits, diff_bits;
@@ -29,29 +29,28 @@ struct subject {
   columns from_bit, from_golden;
 };
 
-subject make_subject(const std::string& format, const std::string& coefficient,
-                     const std::string& as_published) {
-  const std::map<std::string, std::string> options{{"coefficient", coefficient},
-                                                   {"as-published", as_published}};
-  const selection asked = choose("quadratic", format, options);
-  const selection formula = choose("quadratic", format, options, purpose::formula);
-  const word_lengths widths = asked.of().widths(asked);
+subject make_subject() {
+  const selection asked = blysk::test::asked_for();
+  const auto& device = dynamic_cast<const parabola&>(asked.of());
+  std::map<std::string, std::string> of_formula = asked.values();
+  for (const option& each : device.options()) {
+    if (each.is_wired) of_formula.erase(each.name);
+  }
+  const selection formula = choose(device.name(), asked.format(), of_formula, purpose::formula);
+  const word_lengths widths = device.widths(asked);
   subject made{.is_clamped = !asked.flag("as-published"),
                .cos_bits = widths.at("cos"),
                .diff_bits = widths.at("square"),
-               .bit = asked.of().make_bit(asked),
-               .golden = formula.of().make_golden(formula),
+               .bit = device.make_bit(asked),
+               .golden = device.make_golden(formula),
                .a = {},
                .a_wired = {},
                .from_bit = {},
                .from_golden = {}};
-  const auto line =
-      coefficient == "published" ? golden::coefficient_line::published : golden::coefficient_line::derived;
-  const wired_constants wired = quadratic_device::wires(asked);
-  const double slope = std::ldexp(static_cast<double>(wired.slope), -widths.at("coefficient"));
   for (int n = 0; n <= 1000; ++n) {
-    made.a.push_back(golden::coefficient<double>(line, n));
-    made.a_wired.push_back(slope * n + static_cast<double>(wired.offset) / 2);
+    made.a.push_back(n == 0 ? 0 : device.coefficient(formula, n));
+    const auto wired = n == 0 ? 0 : static_cast<double>(device.wired_coefficient(asked, n));
+    made.a_wired.push_back(std::ldexp(wired, -widths.at("coefficient")));
   }
   return made;
 }
@@ -100,39 +99,17 @@ void check(subject& of, const columns& writes) {
   }
 }
 
-void check_format(const std::string& format) {
-  std::vector<subject> subjects;
-  for (const char* coefficient : {"derived", "published"}) {
-    for (const char* as_published : {"off", "on"})
-      subjects.push_back(make_subject(format, coefficient, as_published));
-  }
-  std::uint64_t inputs = 0;
-  for_all_inputs(choose("quadratic", format), [&](const columns& writes) {
-    for (subject& each : subjects) check(each, writes);
-    inputs += writes.size();
-  });
-  CHECK(inputs == 1000 * ((std::uint64_t{1} << subjects.front().cos_bits) + 1));
-  for (const subject& each : subjects) {
-    // Rounding alone reaches half an ulp somewhere among so many inputs.
-    WARN("largest error / bound: " << each.tightness);
-    CHECK(each.tightness > 0.9);
-  }
-}
-
 }  // namespace
 
-TEST_CASE("q8 within its bound for all inputs", "[bound]") {
-  check_format("q8");
-}
-TEST_CASE("q10 within its bound for all inputs", "[bound]") {
-  check_format("q10");
-}
-TEST_CASE("q12 within its bound for all inputs", "[bound][full]") {
-  check_format("q12");
-}
-TEST_CASE("q14 within its bound for all inputs", "[bound][full]") {
-  check_format("q14");
-}
-TEST_CASE("q16 within its bound for all inputs", "[bound][full]") {
-  check_format("q16");
+TEST_CASE("the bit-accurate model is within its bound for all inputs", "[bound][variants]") {
+  subject of = make_subject();
+  std::uint64_t inputs = 0;
+  for_all_inputs(blysk::test::asked_for(), [&](const columns& writes) {
+    check(of, writes);
+    inputs += writes.size();
+  });
+  CHECK(inputs == 1000 * ((std::uint64_t{1} << of.cos_bits) + 1));
+  // Rounding alone reaches half an ulp somewhere among so many inputs.
+  WARN("largest error / bound: " << of.tightness);
+  CHECK(of.tightness > 0.9);
 }

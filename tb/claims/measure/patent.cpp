@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+// [P]: patent UA 60553.
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "tb/claims/measure/over_exponents.h"
+
+namespace blysk::claims {
+namespace {
+
+figures distance_of_lines() {
+  const auto line = [](double slope, double offset) {
+    return worst_over(1, kMaxExponent,
+                      [=](int n) { return std::abs(slope * n + offset - exact_coefficient(1.0 * n)); });
+  };
+  const double slope = coefficient_slope<double>();
+  figures result{{"slope", slope}, {"offset", exact_coefficient(1000.0) - 1000 * slope}};
+  add_worst(result, "printed", line(0.786, 0.5));
+  add_worst(result, "turned", line(0.786, -0.5));
+  add_worst(result, "derived", line(slope, -0.5));
+  return result;
+}
+
+figures errors_of_lines() {
+  figures result;
+  for (const auto& [key, which] : {std::pair{"published", lobe::quadratic_published},
+                                   {"derived", lobe::quadratic_derived},
+                                   {"exact", lobe::quadratic_exact}}) {
+    add_worst(result, key, worst_whole(which));
+    add_worst_percent(result, fmt::format("{}_056", key), worst_relative(which, epicentre::level_056));
+  }
+  return result;
+}
+
+}  // namespace
+
+void measure_patent(measurements& into) {
+  into["P1"] = [] {
+    const auto ends = worst_over(1, kMaxExponent, [](int n) {
+      return std::max(std::abs(quadratic(coefficient_line::exact, 1.0 * n, 1.0) - 1),
+                      std::abs(quadratic(coefficient_line::exact, 1.0 * n, 0.0)));
+    });
+    return figures{{"gap", ends.value}};
+  };
+  into["P2"] = [] {
+    // d2/dx2 cos^n x = n cos^(n-2) x ((n-1) sin^2 x - cos^2 x)
+    const auto factor = worst_over(2, kMaxExponent, [](int n) {
+      const double gamma = std::atan(1 / std::sqrt(n - 1.0));
+      return std::abs((n - 1) * std::pow(std::sin(gamma), 2) - std::pow(std::cos(gamma), 2));
+    });
+    return figures{{"factor", factor.value}};
+  };
+  into["P3"] = [] {
+    // t carries a roundoff or two, which t^n multiplies by n.
+    const auto gap = worst_over(2, kMaxExponent, [](int n) {
+      const double t = std::sqrt((n - 1.0) / n);
+      return std::abs(quadratic(coefficient_line::exact, 1.0 * n, t) - std::pow(t, n)) / n;
+    });
+    return figures{{"gap", gap.value}};
+  };
+  into["P4"] = distance_of_lines;
+  into["P5"] = errors_of_lines;
+  into["P6"] = [] {
+    const double words = std::exp2(std::ceil(std::log2(kMaxExponent)));
+    const double width = 8 * 2048 / words;
+    const double a = exact_coefficient(1000.0);
+    return figures{
+        {"words", words}, {"width", width}, {"a", a}, {"fraction", width - std::ceil(std::log2(a))}};
+  };
+}
+
+}  // namespace blysk::claims
