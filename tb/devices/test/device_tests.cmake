@@ -1,9 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
 # Tests that every device passes. Their cases read the device, format and options from the environment.
 
-# blysk_case_program(PROGRAM SOURCES... LIBRARIES...): a Catch2 program for blysk_cases().
+# blysk_case_program(PROGRAM SOURCES... LIBRARIES...): a Catch2 program for blysk_cases(). With BUILD_TESTING off it is a
+# target that nothing builds, as with blysk_add_test().
 function(blysk_case_program program)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;LIBRARIES")
+  if(NOT BUILD_TESTING)
+    add_executable(${program} EXCLUDE_FROM_ALL ${arg_SOURCES})
+    return()
+  endif()
   add_executable(${program} ${arg_SOURCES})
   target_link_libraries(${program} PRIVATE blysk_options Catch2::Catch2WithMain ${arg_LIBRARIES})
   set_target_properties(${program} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests)

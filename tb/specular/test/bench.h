@@ -79,6 +79,12 @@ class bench {
   }
   static void cycle() { wait(8); }
 
+  /// Cycles more that the results need after a register has changed.
+  int settling_cycles() const { return valid_->what.settling_cycles; }
+  void settle() const {
+    for (int i = 0; i < settling_cycles(); ++i) cycle();
+  }
+
   /// One cycle of reset, from the first falling edge of clk on.
   void reset() {
     put_reset(true);
@@ -94,6 +100,7 @@ class bench {
     cycle();
     put(data, kNone);
     cycle();
+    settle();
   }
 
   bool valid() const { return valid_->read() != 0; }

@@ -72,11 +72,13 @@ TEST_CASE("each strobe writes its register and no other") {
     held.at(column) = second.at(column);
     REQUIRE(pins.expected(held) != before);
     bench::cycle();
-    CHECK(pins.actual() == pins.expected(held));
     CHECK(pins.held() == held);
     pins.put(first, kNone);
+    pins.settle();
+    CHECK(pins.actual() == pins.expected(held));
     bench::cycle();
     CHECK(pins.actual() == pins.expected(held));
+    CHECK(pins.held() == held);
   }
   pins.put(second, only(kCos));
   for (int i = 0; i < 3; ++i) {
@@ -89,8 +91,9 @@ TEST_CASE("each strobe writes its register and no other") {
   held[kCos] = second[kCos];
   REQUIRE(pins.expected(held) != before);
   bench::cycle();
-  CHECK(pins.actual() == pins.expected(held));
   CHECK(pins.held() == held);
+  pins.settle();
+  CHECK(pins.actual() == pins.expected(held));
 }
 
 TEST_CASE("a level strobe follows its data as long as it is at one") {
@@ -102,6 +105,8 @@ TEST_CASE("a level strobe follows its data as long as it is at one") {
     held[kRed] = red;
     pins.put(held, only(kRed));
     bench::cycle();
+    CHECK(pins.held() == held);
+    pins.settle();
     CHECK(pins.actual() == pins.expected(held));
   }
 }
@@ -124,6 +129,7 @@ TEST_CASE("29 is 17 and at its leading edge the outputs belong to the write befo
     bench::wait(2);
     CHECK_FALSE(pins.valid());
     bench::wait(6);
+    pins.settle();
     before = next;
   }
 }
@@ -193,6 +199,7 @@ TEST_CASE("random strobes do what the words of the patent say") {
   codes held{};
   codes data{};
   bool strobe17 = false;
+  int unchanged = 0;  // cycles since a register last changed
   int compared = 0;
   for (int i = 0; i < 20000; ++i) {
     strobes levels{};
@@ -203,6 +210,7 @@ TEST_CASE("random strobes do what the words of the patent say") {
     pins.put(data, levels);
     pins.put_reset(in_reset);
     bench::cycle();
+    const codes before = held;
     for (std::size_t column = 0; column < kRegisters; ++column) {
       if (column == kCos) continue;
       if (levels.at(column)) held.at(column) = data.at(column);
@@ -216,9 +224,11 @@ TEST_CASE("random strobes do what the words of the patent say") {
     CAPTURE(i, held[kN], held[kCos], held[kRed]);
     REQUIRE(pins.held() == held);
     REQUIRE(pins.valid() == levels[kCos]);
+    unchanged = held == before ? unchanged + 1 : 0;
+    if (unchanged < pins.settling_cycles()) continue;
     if (!pins.is_legal(held)) continue;  // 0, after a reset, may be no legal code
     REQUIRE(pins.actual() == pins.expected(held));
     ++compared;
   }
-  CHECK(compared > 10000);
+  CHECK(compared > (pins.settling_cycles() == 0 ? 10000 : 1000));
 }
