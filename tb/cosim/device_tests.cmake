@@ -9,7 +9,7 @@
 #     changed_reference  a sed command that spoils the inner result of reference.v, for family specular
 #     has_strobes        OFF: it has no strobe protocol, so nothing is written to it
 #     exhaustive         formats whose inputs are all tried
-#     covered, mutated   formats whose coverage is counted, whose mutants are tried
+#     covered, mutated   formats whose coverage is counted, whose mutants are tried: of the first 200 in a test
 # Labels: quick takes seconds in all, full less than a minute of processor time each, long more.
 
 # blysk_label(LABEL TEST...)
@@ -123,11 +123,15 @@ function(blysk_device_tests device)
     add_dependencies(update_${name} ${name})
     add_dependencies(update_coverage update_${name})
   endforeach()
-  set(name mutation_${identifier}_few)
-  blysk_mutants(${name} ${device} q8 200)
-  set_target_properties(${name} PROPERTIES EXCLUDE_FROM_ALL OFF)
-  add_test(NAME cosim.${device}.mutation.q8 COMMAND ${name} ${device} q8 ${CMAKE_CURRENT_BINARY_DIR}/${name})
-  blysk_label(full cosim.${device}.mutation.q8)
+  if(mutated)
+    list(GET mutated 0 format)
+    set(name mutation_${identifier}_few)
+    blysk_mutants(${name} ${device} ${format} 200)
+    set_target_properties(${name} PROPERTIES EXCLUDE_FROM_ALL OFF)
+    add_test(NAME cosim.${device}.mutation.${format}
+             COMMAND ${name} ${device} ${format} ${CMAKE_CURRENT_BINARY_DIR}/${name})
+    blysk_label(full cosim.${device}.mutation.${format})
+  endif()
   foreach(format IN LISTS mutated)
     set(name mutation_${identifier}_${format})
     blysk_mutants(${name} ${device} ${format} 1200)

@@ -87,7 +87,7 @@ void for_codes_beside(const selection& asked, const use_batch& use) {
   constexpr std::size_t kBatch = 4096;
   const std::vector<port> data = of_role(asked.of().ports(asked), port::role::data);
   const std::size_t enumerated = asked.of().enumerated();
-  std::int64_t most = 0;
+  std::int64_t most = 1;
   for (std::size_t i = enumerated; i < data.size(); ++i)
     most = std::max(most, data[i].carries->max - data[i].carries->min + 1);
   columns in(data, port::role::data);

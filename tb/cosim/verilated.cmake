@@ -53,7 +53,8 @@ function(blysk_verilate target class device format top source)
                      COMMAND verilated_glue ${device} ${format} ${class} ${top} --output ${folder} ${kind}
                      DEPENDS verilated_glue VERBATIM)
   add_custom_command(OUTPUT ${folder}/all.cpp
-                     COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/verilate.sh ${folder} ${class} ${top} ${source} public.vlt ${arg_ARGUMENTS}
+                     COMMAND ${CMAKE_COMMAND} -E env VERILATOR_ROOT=${VERILATOR_ROOT} VERILATOR=${VERILATOR_BIN}
+                             ${CMAKE_CURRENT_SOURCE_DIR}/verilate.sh ${folder} ${class} ${top} ${source} public.vlt ${arg_ARGUMENTS}
                      DEPENDS ${arg_DEPENDS} ${folder}/public.vlt ${CMAKE_CURRENT_SOURCE_DIR}/verilate.sh VERBATIM)
   set_source_files_properties(${folder}/glue.cpp PROPERTIES OBJECT_DEPENDS ${folder}/all.cpp
                               COMPILE_OPTIONS "-isystem;${folder}")

@@ -26,7 +26,8 @@ class verilator_engine : public clocked_engine {
 
 /// The exported Verilog of the device in the format. All named formats of all devices are compiled in: those under
 /// rtl_verilog/ from there, the others from an export into the build tree.
-/// \throws std::invalid_argument for options that differ from the presets, and for a device without the strobe protocol
+/// Its run() throws std::logic_error for a device without the strobe protocol.
+/// \throws std::invalid_argument for options that differ from the presets
 std::unique_ptr<verilator_engine> make_verilator(const selection& asked);
 
 }  // namespace blysk::cosim
