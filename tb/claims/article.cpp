@@ -12,6 +12,8 @@
 #include "tb/golden/angle.h"
 
 namespace blysk::claims {
+
+using namespace golden;
 namespace {
 
 cells worst_cells(const auto& metric) {

@@ -30,8 +30,8 @@ R <= 1) has no printed digits, so any miss counts. Of m stated figures k are met
 | *depends on the reading* | k = m under the readings named, and not under others that the seed leaves open too |
 | *cannot be judged* | the seed states no figure, or judging it takes what is named |
 
-The column *largest miss* prints the largest of the row, with the measured and the stated figure; for a law without a
-unit. One function gives all verdicts (`tb/claims/judge.h`); nothing is tuned to a claim.
+The column *largest miss* prints the largest of the row, with the measured and the stated figure; for a law these two
+alone. One function gives all verdicts (`tb/claims/judge.h`); nothing is tuned to a claim.
 
 ## What holds the figures
 

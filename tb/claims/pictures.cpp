@@ -9,6 +9,8 @@
 #include "tb/golden/sphere.h"
 
 namespace blysk::claims {
+
+using namespace golden;
 namespace {
 
 constexpr int kWhite = 255;

@@ -7,6 +7,8 @@
 #include "tb/golden/angle.h"
 
 namespace blysk::claims {
+
+using namespace golden;
 namespace {
 
 error_summary measure(const std::function<double(double)>& f, double n) {

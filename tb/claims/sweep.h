@@ -12,7 +12,11 @@
 
 namespace blysk::claims {
 
-using namespace golden;  // whose functions are measured
+using golden::epicentre;
+using golden::kEpicentres;
+using golden::lobe;
+using golden::lobe_axis;
+using golden::peak;
 
 inline constexpr int kMaxExponent = 1000;
 

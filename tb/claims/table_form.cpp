@@ -5,6 +5,8 @@
 #include <boost/math/tools/roots.hpp>
 
 namespace blysk::claims {
+
+using namespace golden;
 namespace {
 
 /// The form over c^n with b = n - a: c^-b / (n (1 - c) + c). From 1 at c = 1 it falls, as the angle grows, to its one

@@ -9,8 +9,6 @@
 
 namespace blysk::claims {
 
-using namespace golden;  // whose functions are measured
-
 /// cos^a x / (n - n cos x + cos x).
 struct table_form {
   static constexpr std::string_view kName = "schlick-modified-e";
@@ -22,9 +20,9 @@ struct table_form {
 
 /// The form with the a in [0, n] that makes the largest relative error in an epicentre least.
 /// \param n  specular exponent, 1..1000
-table_form best_table_form(epicentre where, int n);
+table_form best_table_form(golden::epicentre where, int n);
 
 /// Largest relative error of best_table_form in its epicentre.
-double table_form_error(epicentre where, int n);
+double table_form_error(golden::epicentre where, int n);
 
 }  // namespace blysk::claims

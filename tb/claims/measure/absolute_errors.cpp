@@ -9,6 +9,8 @@
 #include "tb/claims/speed.h"
 
 namespace blysk::claims {
+
+using namespace golden;
 namespace {
 
 const error_summary& at_exponent(lobe which, int n) {

@@ -12,6 +12,8 @@
 #include "tb/golden/angle.h"
 
 namespace blysk::claims {
+
+using namespace golden;
 namespace {
 
 figures by_power(const std::array<double, kPowers>& values) {

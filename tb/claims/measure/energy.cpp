@@ -8,6 +8,8 @@
 #include "tb/claims/words.h"
 
 namespace blysk::claims {
+
+using namespace golden;
 namespace {
 
 /// R of the cosine-quadratic at normal incidence as [T] (2.25) integrates: theta to `limit`, second lobe

@@ -13,6 +13,8 @@
 #include "tb/golden/scene.h"
 
 namespace blysk::claims {
+
+using namespace golden;
 namespace {
 
 std::string answer(std::string_view name, std::vector<double> inputs) {

@@ -5,6 +5,8 @@
 
 namespace blysk::claims {
 
+using namespace golden;
+
 std::string_view key_of(epicentre where) {
   switch (where) {
     case epicentre::level_060:

@@ -7,6 +7,8 @@
 #include "tb/claims/measure/over_exponents.h"
 
 namespace blysk::claims {
+
+using namespace golden;
 namespace {
 
 figures distance_of_lines() {

@@ -9,6 +9,8 @@
 #include "tb/claims/table_form.h"
 
 namespace blysk::claims {
+
+using namespace golden;
 namespace {
 
 using named = std::vector<std::pair<std::string, std::string_view>>;

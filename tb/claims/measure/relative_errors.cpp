@@ -9,6 +9,8 @@
 #include "tb/claims/words.h"
 
 namespace blysk::claims {
+
+using namespace golden;
 namespace {
 
 /// Something that stands for cos^n, and its largest relative error by epicentre and exponent.

@@ -5,6 +5,8 @@
 
 namespace blysk::claims::plots {
 
+using namespace golden;
+
 std::vector<double> steps(double first, double last, int count) {
   std::vector<double> result;
   for (int i = 0; i <= count; ++i) result.push_back(first + (last - first) * i / count);

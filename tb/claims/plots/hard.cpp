@@ -8,6 +8,8 @@
 #include "tb/golden/running_error.h"
 
 namespace blysk::claims::plots {
+
+using namespace golden;
 namespace {
 
 /// At most this many points of a hard form: more would only blacken the plot.

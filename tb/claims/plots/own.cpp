@@ -5,6 +5,8 @@
 
 namespace blysk::claims::plots {
 
+using namespace golden;
+
 std::vector<figure> own_figures() {
   const std::vector<double> all = exponents(1, 1000);
   const std::vector<double> from2 = exponents(2, 1000);

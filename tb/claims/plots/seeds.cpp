@@ -8,6 +8,8 @@
 #include "tb/golden/shift_division.h"
 
 namespace blysk::claims::plots {
+
+using namespace golden;
 namespace {
 
 /// Largest relative error, in per cent, of the angle-based lobe (k = 5, Q = 0.5) up to the inflection point.

@@ -7,6 +7,8 @@
 #include "tb/golden/angle.h"
 
 namespace blysk::claims {
+
+using namespace golden;
 namespace {
 
 std::string cell_table(const cells& measured, const by_level_and_power<demand>& printed) {

@@ -13,6 +13,8 @@
 #include "tb/golden/scene.h"
 
 namespace blysk::claims {
+
+using namespace golden;
 namespace {
 
 constexpr std::array kIncidences{0.0, 30.0, 60.0, 80.0};  // degrees

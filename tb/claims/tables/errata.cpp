@@ -12,6 +12,8 @@
 #include "tb/golden/shift_division.h"
 
 namespace blysk::claims {
+
+using namespace golden;
 namespace {
 
 using table_lines = std::vector<std::vector<std::string>>;

@@ -10,6 +10,8 @@
 #include "tb/claims/words.h"
 
 namespace blysk::claims {
+
+using namespace golden;
 namespace {
 
 constexpr std::array kListed{1, 2, 3, 5, 10, 20, 50, 100, 200, 500, 1000};

@@ -6,6 +6,8 @@
 
 namespace blysk::claims {
 
+using namespace golden;
+
 std::vector<table> picture_tables() {
   constexpr std::array kListed{1, 2, 3, 5, 10, 20, 50, 100, 169, 170, 200, 500, 1000};
   std::string text =

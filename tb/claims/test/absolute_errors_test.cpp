@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "tb/catch.h"
+#include "tb/claims/test/fifty_digits.h"
 #include "tb/claims/test/literal.h"
 #include "tb/claims/test/second.h"
 
@@ -128,11 +129,10 @@ TEST_CASE("absolute errors by a dense search", "[claims]") {
   rows["T13"] = evenness(parabola_rms, exact);
   rows["T43"] = evenness(cosine_quadratic_rms, cq_by_n);
 
-  // 1 + tan^2 = 1 + (6n - 3)/(n - 2)^2 is ((n + 1)/(n - 2))^2 if the squares are whole numbers that agree.
-  int place = 0;
-  for (int n = 3; n <= 1000; ++n)
-    place = std::max(place, std::abs((n - 2) * (n - 2) + 6 * n - 3 - (n + 1) * (n + 1)));
-  rows["T16"] = {{"place", static_cast<double>(place)}, {"level_100", level_of_largest_error()}};
+  const double place = largest_gap(3, [](int n) {
+    return real(cos(atan(real(sqrt(real(6 * n - 3)) / (n - 2)))) - real(n - 2) / (n + 1));
+  });
+  rows["T16"] = {{"place", place}, {"level_100", level_of_largest_error()}};
   add_peak(rows["T16"], "foot",
            over_n(3, 1000, [](int n) { return std::exp(n * std::log1p(-3.0 / (n + 1))); }));
   add_peak(rows["T16"], "whole", worst(cq_by_n));

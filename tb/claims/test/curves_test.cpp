@@ -2,9 +2,8 @@
 // Points of the curves: closed forms, and 50 digits where double precision would hide a difference.
 #include <fmt/format.h>
 
-#include <boost/multiprecision/cpp_bin_float.hpp>
-
 #include "tb/catch.h"
+#include "tb/claims/test/fifty_digits.h"
 #include "tb/claims/test/literal.h"
 #include "tb/claims/test/second.h"
 
@@ -12,8 +11,6 @@ namespace blysk::claims {
 namespace {
 
 using namespace literal;
-using real = boost::multiprecision::cpp_bin_float_50;
-
 /// [P] (9) as printed.
 real exact_a_50(int n) {
   if (n == 1) return 0;
@@ -38,26 +35,20 @@ real inflection(int n) {
   return low;
 }
 
-double as_double(const real& x) {
-  return static_cast<double>(x);
-}
-
 }  // namespace
 
 TEST_CASE("points of the curves have closed forms", "[claims]") {
   std::map<std::string, figures> rows;
-  real ends = 0;
-  real meets = 0;
-  for (int n = 1; n <= 1000; ++n) {
+  const auto quadratic = [](int n, const real& c) {
     const real a = exact_a_50(n);
-    const real b = 1 - a;  // (4) to (6)
-    ends = std::max(ends, real(abs(real(a + b - 1))));
-    if (n == 1) continue;
+    return real(a * c * c + (1 - a) * c);  // (3) to (6)
+  };
+  rows["P1"]["gap"] = std::max(largest_gap(1, [&](int n) { return real(quadratic(n, 1) - 1); }),
+                               largest_gap(1, [&](int n) { return quadratic(n, 0); }));
+  rows["P3"]["gap"] = largest_gap(2, [&](int n) {
     const real t = sqrt(real(n - 1) / n);
-    meets = std::max(meets, real(abs(real(a * t * t + b * t - pow(t, n))) / n));
-  }
-  rows["P1"]["gap"] = as_double(ends);
-  rows["P3"]["gap"] = as_double(meets);
+    return real((quadratic(n, t) - pow(t, n)) / n);
+  });
   real factor = 0;
   for (const int n : {2, 3, 10, 100, 1000}) {
     const real gamma = inflection(n);
@@ -80,15 +71,19 @@ TEST_CASE("points of the curves have closed forms", "[claims]") {
 
   // Schlick's lobe of n = 1000 rises least in its first step, from 0 to (1/256) / (1000 - 999/256).
   rows["T3"]["step"] = -1.0 / (256 * 1000 - 999);
-  // The integral of (s (c - 1) + 1)^2 from its root to 1 is 1/(3 s), s = (n + 1)/3; at n = 1 from 0, where it is 1/3.
-  int area = 0;
-  for (int n = 2; n <= 1000; ++n) area = std::max(area, std::abs(3 * (n + 1) / 3 - (n + 1)));
-  rows["T14"] = {{"gap", static_cast<double>(area)}, {"n1", (1 - std::pow(1.0 / 3, 3)) / (3 * 2.0 / 3)}};
-  // 1 + tan^2 = 1 + (1 + 2n)/n^2 is ((n + 1)/n)^2 if the squares are whole numbers that agree.
-  int place = 0;
-  for (int n = 1; n <= 1000; ++n) place = std::max(place, std::abs(n * n + 1 + 2 * n - (n + 1) * (n + 1)));
+  // The integral of s^2 c^2 + 2 s (1 - s) c + (1 - s)^2 from its root to 1, term by term; at n = 1 from 0.
+  const auto area = [](int n) {
+    const real s = real(n + 1) / 3;
+    const real low = n == 1 ? real(0) : real(1 - 1 / s);
+    return real(s * s * (1 - pow(low, 3)) / 3 + s * (1 - s) * (1 - pow(low, 2)) +
+                (1 - s) * (1 - s) * (1 - low));
+  };
+  rows["T14"] = {{"gap", largest_gap(2, [&](int n) { return real((area(n) * (n + 1) - 1) / n); })},
+                 {"n1", as_double(area(1))}};
+  const double place = largest_gap(
+      1, [](int n) { return real(cos(atan(real(sqrt(real(1 + 2 * n)) / n))) - real(n) / (n + 1)); });
   const auto level = [](double n) { return std::exp(-n * std::log1p(1 / n)); };
-  rows["T15"] = {{"place", static_cast<double>(place)},
+  rows["T15"] = {{"place", place},
                  {"level_1", 0.5},
                  {"level_1000", level(1000)},
                  {"error_2", 100 * (4.0 / 9 * 9 / 4 - 1)},
