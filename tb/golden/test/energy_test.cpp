@@ -24,8 +24,11 @@ TEST_CASE("a perfect diffuser reflects what arrives, at any incidence", "[golden
   const auto lambertian = [](double) { return 1 / kPi; };
   for (const double degrees : {0.0, 15.0, 45.0, 60.0, 80.0, 89.0}) {
     CAPTURE(degrees);
-    CHECK(std::abs(reflectance(lambertian, lobe_axis::half_vector, degrees * kPi / 180, kPi / 2) - 1) <
-          kQuadrature);
+    // A kink that is announced but not there changes nothing.
+    for (const double root : {kPi / 2, kPi / 6, 0.0}) {
+      CHECK(std::abs(reflectance(lambertian, lobe_axis::half_vector, degrees * kPi / 180, root) - 1) <
+            kQuadrature);
+    }
   }
 }
 
@@ -89,6 +92,10 @@ TEST_CASE("three readings of a lobe beyond 90 degrees from the mirror direction"
   CHECK(std::abs(half - 1.102) < 5e-4);
   CHECK(std::abs(by_clipping - 1.548) < 5e-4);
   CHECK(std::abs(by_formula - 1.398) < 5e-4);
+  const auto named = [](beyond_right_angle beyond) { return lobe_reflectance(lobe::lyon_8, 1, beyond, 80); };
+  CHECK(std::abs(named(beyond_right_angle::dark) / half - 1) < kQuadrature);
+  CHECK(std::abs(named(beyond_right_angle::clipped) / by_clipping - 1) < kQuadrature);
+  CHECK(std::abs(named(beyond_right_angle::formula) / by_formula - 1) < kQuadrature);
 }
 
 TEST_CASE("the exact coefficient normalises the integral it comes from", "[golden][energy]") {
@@ -156,6 +163,21 @@ TEST_CASE("the largest error of a known function is found where it lies", "[gold
   CHECK(std::abs(rms_error([](double) { return 0; }, 1) - std::sqrt(1.0 / 3)) < 1e-9);
 }
 
+TEST_CASE("where an epicentre ends, and errors in it", "[golden][errors]") {
+  // Square roots and a seventh root, by hand.
+  CHECK(epicentre_edge(epicentre::level_060, 2) == Approx(0.77459666924148338).epsilon(1e-15));
+  CHECK(epicentre_edge(epicentre::level_056, 2) == Approx(0.74833147735478828).epsilon(1e-15));
+  CHECK(epicentre_edge(epicentre::inflection, 100) == Approx(0.99498743710661995).epsilon(1e-15));
+  CHECK(std::abs(std::pow(epicentre_edge(epicentre::level_060, 7), 7) - 0.6) < 16 * 0x1p-53);
+  CHECK(std::abs(std::pow(epicentre_edge(epicentre::level_056, 1000), 1000) - 0.56) < 1100 * 0x1p-53);
+  // What is a tenth too large is so relative to c^n, and absolutely at the peak.
+  const auto larger = [](double c) { return 1.1 * c * c; };
+  CHECK(std::abs(largest_relative_error(larger, 2, 0.5).value - 0.1) < 8 * 0x1p-53);
+  CHECK(std::abs(largest_absolute_error(larger, 2, 0.5).value - 0.1) < 8 * 0x1p-53);
+  CHECK(clamped_lobe(lobe::quadratic_published, 1000)(0.5) == 0);
+  CHECK(clamped_lobe(lobe::quadratic_published, 2)(1) == 1);
+}
+
 TEST_CASE("an error that peaks in a kink is found for every exponent", "[golden][errors]") {
   // For n >= 3 the clamped parabola is furthest from c^n where it ends; Brent's method places the kink to
   // 2^-26, and c^n falls by no more than n times that.
@@ -187,6 +209,13 @@ TEST_CASE("the sphere is round, faces the viewer and peaks where the normal is t
   const auto picture = shade_sphere(scene, {1, 1, 0, 0, 1}, lobe::blinn, 100);
   const auto brightest = static_cast<std::size_t>(std::ranges::max_element(picture) - picture.begin());
   const auto half_vec = half_vector(scene.light, scene.view);
+  // H along (0.4, 0.5, 0.75 + |(0.4, 0.5, 0.75)|) is (0.2161, 0.2702, ...): (1 + 0.9 x) 32 and (1 - 0.9 y) 32 are 38.2
+  // and 24.2, in pixels.
+  CHECK(pixels[brightest].x == 38);
+  CHECK(pixels[brightest].y == 24);
+  // A light of 2 with a specular share of 1/4: half as bright.
+  const auto half_as_bright = shade_sphere(scene, {1, 2, 0, 0, 0.25}, lobe::blinn, 100);
+  CHECK(half_as_bright[brightest] == picture[brightest] / 2);
   // Rows run downwards and columns to the right: the light comes from above on the right.
   CHECK(pixels[brightest].y < scene.side / 2);
   CHECK(pixels[brightest].x >= scene.side / 2);
