@@ -69,7 +69,7 @@ void add_model(CLI::App& program) {
   verb->footer(
       "Examples:\n"
       "  blysk model blinn --points points.csv --results -\n"
-      "  blysk model cosine-quadratic --points points.csv --results values.csv && cat values.csv");
+      "  blysk model schlick --points points.csv --results values.csv && cat values.csv");
   verb->callback([asked] { run(*asked); });
 }
 

@@ -17,7 +17,7 @@ case $action in
     yosys -q -p "
       read_verilog rtl/*.v
       hierarchy -top blysk_$(basename "$verilog")
-      proc; flatten; opt -full; clean
+      proc; flatten; memory -nordff; opt -full; clean
       select -set registers t:\$dff t:\$dffe t:\$sdff t:\$sdffe t:\$sdffce %u %u %u %u
       select -write control.txt @registers %ci:+[EN]:+[SRST] @registers %d %cie* t:* %i
       mutate -list $count -seed 1 -ctrl mutant 16 1 -o list.ys

@@ -150,7 +150,7 @@ double nmse(const picture& reference, const picture& other) {
 struct outcome {
   int n;
   double nmse_blinn;      // device against Blinn: the price of the model
-  double nmse_quadratic;  // device against its own formula in double: the price of the word length
+  double nmse_formula;  // device against its own formula in double: the price of the word length
   int largest;            // largest difference to Blinn in a channel
 };
 
@@ -175,7 +175,7 @@ std::string report_text(const options& asked, const selection& chosen, const std
       chosen.text(), chosen.of().source(), pixels, asked.side, asked.side, device.writes(), device.cycles(),
       simulated_ms, 1e3 / harness::kClockPeriodNs, host_s, static_cast<double>(device.writes()) / host_s);
   for (const outcome& o : outcomes) {
-    report += fmt::format("| {} | {:.3e} | {:.3e} | {} |\n", o.n, o.nmse_blinn, o.nmse_quadratic, o.largest);
+    report += fmt::format("| {} | {:.3e} | {:.3e} | {} |\n", o.n, o.nmse_blinn, o.nmse_formula, o.largest);
   }
   report += fmt::format(
       "\n`sphere.png`: a column per exponent ({}); rows: the device, Blinn, {} times their difference.\n"

@@ -140,7 +140,7 @@ END
     # What follows the header is no header.
     cat >waves.vcd <<'END'
 $comment
-blysk-device --device quadratic --format q12 --as-published
+blysk-device --device some-device --format q12 --as-published
 $end
 $scope module SystemC $end
 $var wire 1 aaa clk $end
@@ -162,12 +162,12 @@ END
     }
     shows 0 waves.vcd layout.gtkw
     shows 1 waves.vcd none.gtkw
-    names waves.vcd '--device quadratic --format q12 --as-published'
+    names waves.vcd '--device some-device --format q12 --as-published'
     # A terabyte of waves takes no time.
     cp waves.vcd large.vcd
     truncate -s 1T large.vcd
     shows 0 large.vcd layout.gtkw
-    names large.vcd '--device quadratic --format q12 --as-published'
+    names large.vcd '--device some-device --format q12 --as-published'
     cp layout.gtkw 'is=a name.gtkw'
     shows 0 waves.vcd 'is=a name.gtkw'
     sed 's/SystemC/TOP/; s/^blysk-device.*/blysk-device $(touch owned)/' waves.vcd >other.vcd
@@ -184,12 +184,13 @@ END
 echo 'blysk: 40 traces'
 head -c 20000 /dev/zero >"$PICTURE"
 END
+    layouts=(tree/vcd/*.gtkw)
     printf '%s\n' ' $scope module TOP $end' '  $var wire 1 # clk $end' ' $upscope $end' '$enddefinitions $end' >waves.vcd
-    exits 1 tree/scripts/gtkwave-screenshot waves.vcd tree/vcd/quadratic.gtkw picture.png
+    exits 1 tree/scripts/gtkwave-screenshot waves.vcd "${layouts[0]}" picture.png
     one_line 'shows no signal of waves.vcd'
     [ ! -e picture.png ] || fail 'a picture was made'
     sed -i 's/TOP/SystemC/' waves.vcd
-    exits 0 tree/scripts/gtkwave-screenshot waves.vcd tree/vcd/quadratic.gtkw picture.png
+    exits 0 tree/scripts/gtkwave-screenshot waves.vcd "${layouts[0]}" picture.png
     [ -e picture.png ] || fail 'no picture was made'
     ;;
   lint)
@@ -249,11 +250,13 @@ END
     one_line compile_commands.json
     ;;
   timescale)
-    printf '`timescale 1ns/1ps\nmodule tb;\n  blysk_quadratic_q8 dut ();\nendmodule\n' >tb.v
+    folders=("$source"/rtl_verilog/*_q8)
+    top=blysk_${folders[0]##*/}
+    printf '`timescale 1ns/1ps\nmodule tb;\n  %s dut ();\nendmodule\n' "$top" >tb.v
     # As docs/verilog.md has it.
     command=$(sed -n 's/^ *`\(verilator .*--timescale .*\) tb.v`;.*/\1/p' "$source/docs/verilog.md")
     [ -n "$command" ] || fail 'docs/verilog.md has no such command'
-    cp -R "$source/rtl_verilog/quadratic_q8" rtl
+    cp -R "${folders[0]}" rtl
     cp tb.v rtl
     cd rtl
     $command -Wno-PINMISSING tb.v

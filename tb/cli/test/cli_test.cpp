@@ -52,9 +52,10 @@ TEST_CASE("simulate gives the same rows through the exported Verilog", "[cli]") 
 TEST_CASE("export writes the device's Verilog", "[cli]") {
   const scratch folder;
   const std::string rtl = folder.path("rtl");
-  REQUIRE(run_blysk(folder, "export --device quadratic --format q12 --output " + quoted(rtl)).status == 0);
-  CHECK(slurp(rtl + "/blysk_quadratic_q12.v").find("module blysk_quadratic_q12 (") != std::string::npos);
-  CHECK(fs::exists(rtl + "/blysk_quadratic_q12.f"));
+  REQUIRE(run_blysk(folder, "export --device " + kDevice + " --format q12 --output " + quoted(rtl)).status ==
+          0);
+  CHECK(slurp(rtl + "/" + top_of("q12") + ".v").find("module " + top_of("q12") + " (") != std::string::npos);
+  CHECK(fs::exists(rtl + "/" + top_of("q12") + ".f"));
   fs::create_directory(folder.path("empty"));
   CHECK(run_blysk(folder, "export --output " + quoted(folder.path("empty/"))).status == 0);
   CHECK(run_blysk(folder, "export --output " + quoted(folder.path("two/levels/"))).status == 0);
@@ -82,9 +83,9 @@ TEST_CASE("an export that cannot be written leaves everything as it was", "[cli]
 
   // A former export of the same names is rewritten, and others stop it.
   REQUIRE(run_blysk(folder, "export --format q8" + to("rtl")).status == 0);
-  const std::string top = folder.path("rtl/blysk_quadratic_q8.v");
+  const std::string top = folder.path("rtl/" + top_of("q8") + ".v");
   const std::string before = slurp(top);
-  folder.write("rtl/blysk_quadratic_q8.v", "old");
+  folder.write("rtl/" + top_of("q8") + ".v", "old");
   CHECK(run_blysk(folder, "export --format q8" + to("rtl")).status == 0);
   CHECK(slurp(top) == before);
   fails("--format q8 --as-published" + to("rtl"), ", expected an empty directory or one with files of the");
@@ -97,7 +98,7 @@ TEST_CASE("an export that cannot be written leaves everything as it was", "[cli]
   // A directory in a file's place; the file that is written last shows that none is replaced.
   fs::remove(top);
   fs::create_directory(top);
-  const std::string list = folder.write("rtl/blysk_quadratic_q8.f", "old");
+  const std::string list = folder.write("rtl/" + top_of("q8") + ".f", "old");
   fails("--format q8" + to("rtl"), ".v: is a directory, expected a file to write");
   CHECK(slurp(list) == "old");
   fs::remove(top);

@@ -242,7 +242,7 @@ TEST_CASE("an export goes beside hidden files and leaves them", "[cli][files]") 
   folder.write("rtl/.gitkeep", "kept");
   CHECK(run_blysk(folder, "export --format q8 --output " + quoted(folder.path("rtl"))).status == 0);
   CHECK(slurp(folder.path("rtl/.gitkeep")) == "kept");
-  CHECK(fs::exists(folder.path("rtl/blysk_quadratic_q8.v")));
+  CHECK(fs::exists(folder.path("rtl/" + top_of("q8") + ".v")));
 }
 
 TEST_CASE("what comes from outside is shown as one line of printable UTF-8", "[cli][files]") {

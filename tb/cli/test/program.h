@@ -14,6 +14,12 @@
 
 namespace fs = std::filesystem;
 
+/// The device that a command line takes if it names none, and its Verilog module in a format.
+inline const std::string kDevice = BLYSK_DEVICE_NAME;
+inline std::string top_of(const std::string& format) {
+  return "blysk_" BLYSK_DEVICE_IDENTIFIER "_" + format;
+}
+
 /// A folder that vanishes with the test.
 class scratch {
  public:

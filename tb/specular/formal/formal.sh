@@ -39,11 +39,11 @@ fi
 device="
   read_verilog device/*.v
   hierarchy -top $top
-  proc; flatten; opt -full; rename -hide w:*.*; opt_clean; rename $top device"
+  proc; flatten; memory -nordff; opt -full; rename -hide w:*.*; opt_clean; rename $top device"
 reference="
   read_verilog reference.v
   chparam -set F $fraction reference
-  proc reference; opt -full reference"
+  proc reference; memory -nordff reference; opt -full reference"
 # Newer versions of yosys keep assertions as cells that have to be lowered for its solver.
 lower=
 yosys -p 'help chformal' | grep -e ' -lower' >/dev/null && lower='chformal -lower'
