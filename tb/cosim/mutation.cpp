@@ -222,6 +222,7 @@ class regression {
       reset_codes_.push_back(std::move(tried));
     });
     std::vector<std::int64_t> codes;
+    codes.reserve(ranges.size());
     for (const auto& [first, last] : ranges) codes.push_back(first);
     for (;;) {
       writes.add(codes);
