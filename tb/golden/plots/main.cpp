@@ -331,9 +331,8 @@ figure hard_figure(const hard_form& form) {
 
 std::vector<figure> hard_figures() {
   std::vector<figure> result;
-  for (const char* name :
-       {"coefficient", "level", "angle", "schlick", "schlick_modified_d", "gx", "parabola", "versine",
-        "angle_lobe", "blinn_normalised", "fresnel", "beckmann", "shadowing", "power"})
+  for (const char* name : {"coefficient", "level", "angle", "schlick", "schlick_modified_d", "gx", "parabola",
+                           "versine", "fresnel", "beckmann", "shadowing", "power"})
     result.push_back(hard_figure(*std::ranges::find(hard_forms(), name, &hard_form::name)));
 
   const auto near_root = [](double distance) {
