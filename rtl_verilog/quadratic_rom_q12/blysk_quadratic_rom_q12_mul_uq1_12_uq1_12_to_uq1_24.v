@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+// Multiplier: p_o = a_i * b_i, exact.
+// device quadratic-rom, format q12, memory of 1000 words of 22 bits, coefficient exact, BRDF clamped to [0, 1], exported from the SystemC model.
+`default_nettype none
+
+module blysk_quadratic_rom_q12_mul_uq1_12_uq1_12_to_uq1_24 (
+    input  wire [12:0] a_i,  // UQ1.12, codes 0..4096
+    input  wire [12:0] b_i,  // UQ1.12, codes 0..4096
+    output wire [24:0] p_o  // UQ1.24
+);
+
+  assign p_o = {12'b0, a_i} * {12'b0, b_i};
+
+endmodule
+
+`default_nettype wire

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+// Multiplier: p_o = a_i * b_i, exact.
+// device quadratic-rom, format q16, memory of 1000 words of 26 bits, coefficient exact, BRDF clamped to [0, 1], exported from the SystemC model.
+`default_nettype none
+
+module blysk_quadratic_rom_q16_mul_uq10_16_sqm2_28_to_sq8_44 (
+    input  wire [25:0] a_i,  // UQ10.16
+    input  wire signed [26:0] b_i,  // SQ-2.28
+    output wire signed [52:0] p_o  // SQ8.44
+);
+
+  assign p_o = {27'b0, a_i} * {{26{b_i[26]}}, b_i};
+
+endmodule
+
+`default_nettype wire

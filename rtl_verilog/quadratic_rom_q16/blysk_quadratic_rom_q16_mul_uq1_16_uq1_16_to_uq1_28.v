@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// Multiplier: p_o = a_i * b_i, rounded to nearest, ties up.
+// device quadratic-rom, format q16, memory of 1000 words of 26 bits, coefficient exact, BRDF clamped to [0, 1], exported from the SystemC model.
+`default_nettype none
+
+module blysk_quadratic_rom_q16_mul_uq1_16_uq1_16_to_uq1_28 (
+    input  wire [16:0] a_i,  // UQ1.16, codes 0..65536
+    input  wire [16:0] b_i,  // UQ1.16, codes 0..65536
+    output wire [28:0] p_o  // UQ1.28
+);
+
+  wire [32:0] product = {16'b0, a_i} * {16'b0, b_i};
+  wire [2:0] unused_product_low = product[2:0];  // below the last place of the result
+  wire [29:0] sum = product[32:3] + 30'd1;
+  wire unused_sum_low = sum[0];  // below the last place of the result
+
+  assign p_o = sum[29:1];
+
+endmodule
+
+`default_nettype wire

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// Multiplier: p_o = a_i * b_i, rounded to nearest, ties up.
+// device quadratic-rom, format q24, memory of 1000 words of 30 bits, coefficient exact, BRDF clamped to [0, 1], exported from the SystemC model.
+`default_nettype none
+
+module blysk_quadratic_rom_q24_mul_uq1_24_uq1_24_to_uq1_35 (
+    input  wire [24:0] a_i,  // UQ1.24, codes 0..16777216
+    input  wire [24:0] b_i,  // UQ1.24, codes 0..16777216
+    output wire [35:0] p_o  // UQ1.35
+);
+
+  wire [48:0] product = {24'b0, a_i} * {24'b0, b_i};
+  wire [11:0] unused_product_low = product[11:0];  // below the last place of the result
+  wire [36:0] sum = product[48:12] + 37'd1;
+  wire unused_sum_low = sum[0];  // below the last place of the result
+
+  assign p_o = sum[36:1];
+
+endmodule
+
+`default_nettype wire

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+// Multiplier: p_o = a_i * b_i, exact.
+// device quadratic-rom, format q8, memory of 1000 words of 18 bits, coefficient exact, BRDF clamped to [0, 1], exported from the SystemC model.
+`default_nettype none
+
+module blysk_quadratic_rom_q8_mul_uq1_8_uq1_8_to_uq1_16 (
+    input  wire [8:0] a_i,  // UQ1.8, codes 0..256
+    input  wire [8:0] b_i,  // UQ1.8, codes 0..256
+    output wire [16:0] p_o  // UQ1.16
+);
+
+  assign p_o = {8'b0, a_i} * {8'b0, b_i};
+
+endmodule
+
+`default_nettype wire
