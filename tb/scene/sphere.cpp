@@ -149,9 +149,9 @@ double nmse(const picture& reference, const picture& other) {
 
 struct outcome {
   int n;
-  double nmse_blinn;      // device against Blinn: the price of the model
+  double nmse_blinn;    // device against Blinn: the price of the model
   double nmse_formula;  // device against its own formula in double: the price of the word length
-  int largest;            // largest difference to Blinn in a channel
+  int largest;          // largest difference to Blinn in a channel
 };
 
 std::string report_text(const options& asked, const selection& chosen, const std::vector<outcome>& outcomes,
