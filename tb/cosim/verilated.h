@@ -82,6 +82,7 @@ class verilated : public Base {
         });
         clock(false);
         finish_cycle();
+        settle();
       }
       lead();
       clock(false);
@@ -90,6 +91,7 @@ class verilated : public Base {
       trail();
       clock(false);
       finish_cycle();
+      settle();
       writes_ += in.size() + 1;
     } else {
       throw std::logic_error("the device's ports are not those of the strobe protocol");
@@ -136,6 +138,15 @@ class verilated : public Base {
   // The second half: it goes down, the other strobes go up, so that all registers change at one edge of clk.
   void trail() {
     glue_.trailing([](auto, auto&, auto& strobe) { strobe = 0; });
+  }
+
+  // The cycles more that the results need.
+  void settle() {
+    for (int cycle = 0; cycle < Glue::kSettlingCycles; ++cycle) {
+      glue_.level([](auto, auto&, auto& strobe) { strobe = 0; });
+      clock(false);
+      finish_cycle();
+    }
   }
 
   template <class Field, class Member>

@@ -142,8 +142,11 @@ std::unique_ptr<{10}> make_{0}() {{
 
   std::string control_text() const {
     const auto name = [&](port::role role) { return ports_[find_role(ports_, role)].name; };
-    return fmt::format("  auto& clock() {{ return top.{}; }}\n  auto& reset() {{ return top.{}; }}\n",
-                       name(port::role::clock), name(port::role::reset));
+    return fmt::format(
+        "  static constexpr int kSettlingCycles = {};\n"
+        "  auto& clock() {{ return top.{}; }}\n  auto& reset() {{ return top.{}; }}\n",
+        ports_[find_role(ports_, port::role::valid)].settling_cycles, name(port::role::clock),
+        name(port::role::reset));
   }
 
   std::string wires_text(bool are_inputs) const {
