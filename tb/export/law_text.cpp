@@ -224,7 +224,7 @@ class writer {
       case operation::multiply:
         return binary("*", phrase::product, phrase::unary);
       case operation::complement:
-        return {"~" + operand(0).within(phrase::primary), phrase::unary};
+        return {fmt::format("~{}", operand(0).within(phrase::primary)), phrase::unary};
       case operation::shift_left:
         if (own <= n.distance) return {literal(0, own)};
         return concatenate(operand(0), {fmt::format("{}'b0", n.distance)});
@@ -244,7 +244,7 @@ class writer {
       case operation::logical_or:
         return binary("||", phrase::disjunction, phrase::conjunction);
       case operation::logical_not:
-        return {"!" + operand(0).within(phrase::primary), phrase::unary};
+        return {fmt::format("!{}", operand(0).within(phrase::primary)), phrase::unary};
       case operation::select: {
         const std::string condition = operand(0).within(phrase::primary);
         const std::string yes = operand(1).within(phrase::disjunction);
@@ -296,7 +296,7 @@ class writer {
       const bool is_signed = are_signed(*n.operands[0], *n.operands[1]);
       if (is_signed && operand.op == operation::constant) return signed_literal(operand.low, width);
       const std::string text = bits(operand, width).within(phrase::sum);
-      return is_signed ? "$signed(" + text + ")" : text;
+      return is_signed ? fmt::format("$signed({})", text) : text;
     };
     const std::string first = side(left);
     return {fmt::format("{} {} {}", first, symbol, side(right)), phrase::relation};

@@ -21,12 +21,12 @@ std::string literal(wide_int value, int width) {
 
 std::string signed_literal(wide_int value, int width) {
   const std::string magnitude = literal(value < 0 ? -value : value, width);
-  return (value < 0 ? "-" : "") + magnitude.substr(0, magnitude.find('\'') + 1) + "s" +
-         magnitude.substr(magnitude.find('\'') + 1);
+  const std::size_t base = magnitude.find('\'') + 1;
+  return fmt::format("{}{}s{}", value < 0 ? "-" : "", magnitude.substr(0, base), magnitude.substr(base));
 }
 
 std::string comment(const std::string& note) {
-  return note.empty() ? "" : "  // " + note;
+  return note.empty() ? "" : fmt::format("  // {}", note);
 }
 
 std::string file_text(const std::string& title, const std::string& content) {
@@ -43,6 +43,10 @@ std::string declaration_text(const netlist::declaration& name) {
   static constexpr const char* kWords[] = {"input  ", "output ", ""};
   return fmt::format("{}{} {}{}{}", kWords[static_cast<int>(name.where)], name.is_reg ? "reg " : "wire",
                      name.bits.is_signed ? "signed " : "", range_text(name.bits.width), name.name);
+}
+
+std::string phrase::within(binding loosest) const {
+  return rank <= loosest ? text : fmt::format("({})", text);
 }
 
 phrase concatenate(const phrase& high, const phrase& low) {

@@ -40,7 +40,7 @@ struct phrase {
   binding rank = primary;
   bool is_concatenation = false;
 
-  std::string within(binding loosest) const { return rank <= loosest ? text : "(" + text + ")"; }
+  std::string within(binding loosest) const;
 };
 
 /// {high, low}

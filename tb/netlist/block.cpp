@@ -44,10 +44,11 @@ std::string block::name(const std::vector<std::string>& ports) const {
   std::string in, out;
   for (const std::string& port : ports) {
     const declaration& each = described(port);
-    if (each.carries) (each.where == declaration::role::input ? in : out) += "_" + each.carries->name();
+    if (each.carries)
+      (each.where == declaration::role::input ? in : out) += fmt::format("_{}", each.carries->name());
   }
   const std::string result = in.empty() || in == out ? out : in + "_to" + out;
-  return kind_ + result + (variant_.empty() ? "" : "_" + variant_);
+  return kind_ + result + (variant_.empty() ? "" : fmt::format("_{}", variant_));
 }
 
 }  // namespace blysk::netlist

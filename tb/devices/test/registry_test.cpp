@@ -61,9 +61,9 @@ TEST_CASE("every device is made in every format", "[registry]") {
       const selection chosen = choose(each->name(), name);
       CHECK(&chosen.of() == each);
       CHECK(chosen.is_preset());
-      CHECK("q" + std::to_string(chosen.fraction()) == name);
+      CHECK(std::to_string(chosen.fraction()) == name.substr(1));
       CHECK(chosen.folder_name() == each->identifier() + "_" + name);
-      CHECK(chosen.top_name() == "blysk_" + chosen.folder_name());
+      CHECK(chosen.top_name() == std::string("blysk_").append(chosen.folder_name()));
       CHECK(chosen.text().starts_with("device " + each->name() + ", format " + name));
       CHECK(choose(each->name(), name, {}, purpose::formula).is_for() == purpose::formula);
     }
