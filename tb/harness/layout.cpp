@@ -90,7 +90,13 @@ std::string layout_text(const selection& asked, const std::string& root) {
       out.add(each.wave, each.carries, "", is_analogue);
     }
   };
-  const std::string writing = "written by the trailing edge, confirmed by the leading one";
+  std::string writing;
+  for (const port& each : trailing) {
+    if (const port* const strobe = strobe_of(ports, each))
+      writing += fmt::format("{} writes by its trailing edge, ", strobe->wave);
+  }
+  for (const port& each : of(port::role::valid))
+    writing += fmt::format("{} confirms by its leading edge", each.wave);
   out.begin(writing);
   add_writes(trailing, true);
   for (const port& each : of(port::role::valid)) out.add(each.wave, {});
