@@ -8,8 +8,8 @@
 
 namespace blysk {
 
-__extension__ typedef unsigned __int128
-    rom_wide;  // NOLINT(modernize-use-using): __extension__ takes no alias
+// NOLINTNEXTLINE(modernize-use-using): __extension__ takes no alias
+__extension__ typedef unsigned __int128 rom_wide;
 
 /// floor(sqrt(x)).
 constexpr std::uint64_t square_root(rom_wide x) {
