@@ -29,10 +29,17 @@ constexpr T lookup(const std::array<std::int64_t, Words>& table, T index) {
 /// Drops `bits` fraction bits, rounds to nearest, ties towards +infinity: floor(x / 2^bits + 1/2).
 /// |error| <= 1/2 ulp of the result. The bits below the half go first, so that the sum needs no headroom above x, unless
 /// bits is 1: see rounds_within().
+/// \tparam To  of the result; it holds x / 2^(bits-1) too
+template <class To, class T>
+constexpr To round_off_to(T x, int bits) {
+  const int half = bits > 0 ? 1 : 0;  // without bits to drop, nothing is added
+  return (static_cast<To>(x >> (bits - half)) + static_cast<To>(half)) >> half;
+}
+
+/// The same in the operand's type.
 template <class T>
 constexpr T round_off(T x, int bits) {
-  const int half = bits > 0 ? 1 : 0;  // without bits to drop, nothing is added
-  return ((x >> (bits - half)) + static_cast<T>(half)) >> half;
+  return round_off_to<T>(x, bits);
 }
 
 /// True if rounding a number of `width` bits off by `bits` overflows no 64-bit integer.

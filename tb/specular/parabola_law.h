@@ -32,6 +32,7 @@ struct fixed_shape {
   using cos_t = machine_int<typename Formats::cos_inv>;
   using square_t = machine_int<typename Formats::mul7::exact>;
   using product_t = machine_int<typename Formats::a_diff>;
+  using rounded_t = machine_int<sq<9, Formats::cos_bits>>;  // the sum with one bit more than it is rounded to
   using brdf_t = machine_int<typename Formats::brdf>;
   using out_t = std::conditional_t<(Formats::out::width <= 32), std::uint32_t, std::int64_t>;
 };
@@ -47,6 +48,7 @@ struct free_shape {
   using cos_t = std::int64_t;
   using square_t = std::int64_t;
   using product_t = std::int64_t;
+  using rounded_t = std::int64_t;
   using brdf_t = std::int64_t;
   using out_t = std::int64_t;
 };
@@ -69,10 +71,11 @@ template <class Shape>
   const auto a_diff = law::mul<product_t>(a, diff, 0);
   const int dropped = shape.coefficient_bits + shape.diff_bits - shape.cos_bits;
   const auto sum = law::add<product_t>(a_diff, 0, c, dropped, carry30);
-  const auto rounded = law::round_off<product_t>(sum, dropped);
-  const product_t low = shape.is_clamped ? 0 : std::numeric_limits<product_t>::min();
-  const product_t high = shape.is_clamped ? static_cast<product_t>(product_t{1} << shape.cos_bits)
-                                          : std::numeric_limits<product_t>::max();
+  using rounded_t = typename Shape::rounded_t;
+  const auto rounded = law::round_off_to<rounded_t>(sum, dropped);
+  const rounded_t low = shape.is_clamped ? 0 : std::numeric_limits<rounded_t>::min();
+  const rounded_t high = shape.is_clamped ? static_cast<rounded_t>(rounded_t{1} << shape.cos_bits)
+                                          : std::numeric_limits<rounded_t>::max();
   return static_cast<typename Shape::brdf_t>(law::clamp(rounded, low, high));
 }
 
