@@ -423,9 +423,9 @@ std::vector<model> all_models(std::deque<std::string>& texts) {
     const std::string name(kLobes[i].name);
     const auto add = [&](const std::string& end, const std::string& axis, double (*value)(inputs_t)) {
       const std::string& full_name = texts.emplace_back(name + end);
-      const std::string& formula =
-          texts.emplace_back("R = integral of max(0, f) cos over the outgoing hemisphere, f = " + name +
-                             " of " + axis + "; incidence in degrees");
+      std::string& formula =
+          texts.emplace_back("R = integral of max(0, f) cos over the outgoing hemisphere, f = ");
+      formula.append(name).append(" of ").append(axis).append("; incidence in degrees");
       result.push_back({full_name, "n,incidence", formula, "[T] (2.22), [A]", value});
     };
     add("-reflectance", "N.H", kFunctions[i].first);

@@ -49,6 +49,7 @@ TEST_CASE("all inputs are all, each once") {
   const std::size_t enumerated = enumerated_ports(asked);
   REQUIRE(enumerated > 0);
   std::vector<std::vector<bool>> alongside;
+  alongside.reserve(data.size());
   for (const port& each : data)
     alongside.emplace_back(each.width() <= 20 ? static_cast<std::size_t>(codes_of(each)) : 0);
   // They come in the order of counting, the last port's codes fastest.

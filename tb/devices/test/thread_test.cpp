@@ -2,7 +2,7 @@
 // The devices as synthesis front-ends see them, registers as clocked threads: compiled with __SC_TOOL__, for BLYSK_FORMAT.
 // This program brings the netlists of that format itself; those of the library, compiled without the macro, would be a
 // second definition.
-#include "tb/devices/per_format.cpp"
+#include "tb/devices/per_format.cpp"  // NOLINT(bugprone-suspicious-include)
 
 #include "tb/devices/test/asked.h"
 #include "tb/devices/test/comparison.h"
