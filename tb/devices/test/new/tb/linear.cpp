@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // A toy device as its user meets it.
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <stdexcept>
 
 #include "rtl_sysc/devices/linear/linear.h"
 #include "tb/specular/specular.h"
@@ -57,8 +60,18 @@ class linear final : public device_of_points {
   }
   word_lengths widths(const selection& asked) const override { return {{"cos", asked.fraction()}}; }
   std::unique_ptr<engine> make_bit(const selection& asked, const word_lengths& bits) const override {
-    if (bits != widths(asked))
-      throw std::invalid_argument("the toy has the word lengths of its format alone");
+    const word_lengths own = widths(asked);
+    for (const auto& [name, width] : bits) {
+      if (own.count(name) == 0)
+        throw std::invalid_argument(fmt::format("word length {} does not exist, expected cos", name));
+      if (own.at(name) != width)
+        throw std::invalid_argument(
+            fmt::format("word length {} {} is wrong, expected {}", name, width, own.at(name)));
+    }
+    for (const auto& [name, width] : own) {
+      if (bits.count(name) == 0)
+        throw std::invalid_argument(fmt::format("word length {} is missing, expected {}", name, width));
+    }
     return make_bit(asked);
   }
 };
