@@ -26,31 +26,32 @@ constexpr T lookup(const std::array<std::int64_t, Words>& table, T index) {
              : static_cast<T>(0);
 }
 
-/// Drops `bits` fraction bits, rounds to nearest, ties towards +infinity: floor(x / 2^bits + 1/2).
-/// |error| <= 1/2 ulp of the result. The bits below the half go first, so that the sum needs no headroom above x, unless
-/// bits is 1: see rounds_within().
-/// \tparam To  of the result; it holds x / 2^(bits-1) too
-template <class To, class T>
-constexpr To round_off_to(T x, int bits) {
-  const int half = bits > 0 ? 1 : 0;  // without bits to drop, nothing is added
-  return (static_cast<To>(x >> (bits - half)) + static_cast<To>(half)) >> half;
+/// True if half a unit can be added to any number of `width` bits in 64 bits.
+constexpr bool has_headroom(int width) {
+  return width < 64;
 }
 
-/// The same in the operand's type.
-template <class T>
-constexpr T round_off(T x, int bits) {
-  return round_off_to<T>(x, bits);
-}
-
-/// True if rounding a number of `width` bits off by `bits` overflows no 64-bit integer.
+/// True if round_off() overflows no 64-bit integer, for a number of `width` bits without its `bits` lowest ones.
 constexpr bool rounds_within(int width, int bits) {
-  return bits >= 0 && width - (bits > 1 ? bits - 1 : 0) + (bits > 0 ? 1 : 0) <= 64;
+  return bits >= 0 && width <= 64 && (bits != 1 || has_headroom(width));
+}
+
+/// Drops `bits` fraction bits, rounds to nearest, ties towards +infinity: floor(x / 2^bits + 1/2).
+/// |error| <= 1/2 ulp of the result.
+/// \param with_headroom  x + 2^(bits-1) fits T; if not, the bits below the half are dropped before the sum, which takes
+///                       longer
+template <class T>
+constexpr T round_off(T x, int bits, bool with_headroom = true) {
+  if (with_headroom) return (x + static_cast<T>(std::int64_t{1} << bits >> 1)) >> bits;
+  const int half = bits > 0 ? 1 : 0;  // without bits to drop, nothing is added
+  return ((x >> (bits - half)) + static_cast<T>(half)) >> half;
 }
 
 /// a * b without its `dropped` lowest fraction bits.
+/// \param with_headroom  of the product: see round_off()
 template <class T>
-constexpr T mul(T a, T b, int dropped) {
-  return round_off(static_cast<T>(a * b), dropped);
+constexpr T mul(T a, T b, int dropped, bool with_headroom = true) {
+  return round_off(static_cast<T>(a * b), dropped, with_headroom);
 }
 
 /// a + b + carry, the operands moved up to the fraction bits of the sum.
@@ -68,7 +69,7 @@ constexpr T ones_complement(T a, int shift) {
 /// a limited to low..high.
 template <class T>
 constexpr T clamp(T a, T low, T high) {
-  return select(a < low, low, select(a > high, high, a));
+  return select(a < low, low, select(a < high, a, high));
 }
 
 /// True at the clock edge that ends a strobe: it was at one, it is at zero.

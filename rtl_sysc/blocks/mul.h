@@ -27,9 +27,9 @@ struct mul : sc_core::sc_module {
 
   template <class T>
   static constexpr T law(T a, T b) {
-    static_assert(law::rounds_within(exact::width, exact::frac - P::frac),
-                  "a product is rounded within 64 bits");
-    return law::mul(a, b, exact::frac - P::frac);
+    constexpr int dropped = exact::frac - P::frac;
+    static_assert(law::rounds_within(exact::width, dropped), "a product is rounded within 64 bits");
+    return law::mul(a, b, dropped, law::has_headroom(exact::width));
   }
 
   template <class Reader>

@@ -30,11 +30,13 @@ struct quantise : sc_core::sc_module {
 
   template <class T>
   static constexpr T law(T a) {
-    static_assert(law::rounds_within(A::width, A::frac - Y::frac), "a number is rounded within 64 bits");
+    constexpr int dropped = A::frac - Y::frac;
+    static_assert(law::rounds_within(A::width, dropped), "a number is rounded within 64 bits");
+    const T rounded = law::round_off(a, dropped, law::has_headroom(A::width));
     if constexpr (Overflow == overflow::clamp) {
-      return law::clamp(law::round_off(a, A::frac - Y::frac), T(Y::min), T(Y::max));
+      return law::clamp(rounded, T(Y::min), T(Y::max));
     } else {
-      return law::round_off(a, A::frac - Y::frac);
+      return rounded;
     }
   }
 

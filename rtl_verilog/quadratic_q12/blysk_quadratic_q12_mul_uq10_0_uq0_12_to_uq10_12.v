@@ -9,7 +9,7 @@ module blysk_quadratic_q12_mul_uq10_0_uq0_12_to_uq10_12 (
     output wire [21:0] p_o  // UQ10.12
 );
 
-  assign p_o = {12'b0, a_i} * {10'b0, b_i};
+  assign p_o = a_i * b_i;
 
 endmodule
 

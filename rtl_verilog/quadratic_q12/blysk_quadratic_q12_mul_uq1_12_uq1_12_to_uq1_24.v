@@ -9,7 +9,7 @@ module blysk_quadratic_q12_mul_uq1_12_uq1_12_to_uq1_24 (
     output wire [24:0] p_o  // UQ1.24
 );
 
-  assign p_o = {12'b0, a_i} * {12'b0, b_i};
+  assign p_o = a_i * b_i;
 
 endmodule
 

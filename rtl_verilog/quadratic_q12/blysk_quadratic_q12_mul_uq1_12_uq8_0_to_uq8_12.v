@@ -9,7 +9,7 @@ module blysk_quadratic_q12_mul_uq1_12_uq8_0_to_uq8_12 (
     output wire [19:0] p_o  // UQ8.12
 );
 
-  assign p_o = {7'b0, a_i} * {12'b0, b_i};
+  assign p_o = a_i * b_i;
 
 endmodule
 

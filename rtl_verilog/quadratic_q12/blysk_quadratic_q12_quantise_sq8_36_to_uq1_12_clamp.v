@@ -8,13 +8,11 @@ module blysk_quadratic_q12_quantise_sq8_36_to_uq1_12_clamp (
     output wire [12:0] y_o  // UQ1.12, codes 0..4096
 );
 
-  wire [22:0] unused_a_i_low = a_i[22:0];  // below the last place of the result
-  wire [21:0] shifted = a_i[44:23];
-  wire [22:0] sum = {shifted[21], shifted} + 23'd1;
-  wire unused_sum_low = sum[0];  // below the last place of the result
-  wire [21:0] shifted2 = sum[22:1];
+  wire [45:0] sum = {a_i[44], a_i} + 46'd8388608;
+  wire [23:0] unused_sum_low = sum[23:0];  // below the last place of the result
+  wire [21:0] shifted = sum[45:24];
 
-  assign y_o = ($signed(shifted2) < 22'sd0) ? 13'd0 : ($signed(shifted2) > 22'sd4096) ? 13'd4096 : shifted2[12:0];
+  assign y_o = shifted[21] ? 13'd0 : (shifted[21] || (shifted[20:12] == 9'd0)) ? shifted[12:0] : 13'd4096;
 
 endmodule
 

@@ -9,7 +9,7 @@ module blysk_quadratic_q16_mul_uq10_0_uq0_16_to_uq10_16 (
     output wire [25:0] p_o  // UQ10.16
 );
 
-  assign p_o = {16'b0, a_i} * {10'b0, b_i};
+  assign p_o = a_i * b_i;
 
 endmodule
 

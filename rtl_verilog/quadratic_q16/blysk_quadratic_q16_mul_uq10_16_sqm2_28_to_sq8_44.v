@@ -9,7 +9,7 @@ module blysk_quadratic_q16_mul_uq10_16_sqm2_28_to_sq8_44 (
     output wire signed [52:0] p_o  // SQ8.44
 );
 
-  assign p_o = {27'b0, a_i} * {{26{b_i[26]}}, b_i};
+  assign p_o = $signed({1'b0, a_i}) * b_i;
 
 endmodule
 

@@ -9,12 +9,11 @@ module blysk_quadratic_q16_mul_uq1_16_uq1_16_to_uq1_28 (
     output wire [28:0] p_o  // UQ1.28
 );
 
-  wire [32:0] product = {16'b0, a_i} * {16'b0, b_i};
-  wire [2:0] unused_product_low = product[2:0];  // below the last place of the result
-  wire [29:0] sum = product[32:3] + 30'd1;
-  wire unused_sum_low = sum[0];  // below the last place of the result
+  wire [32:0] product = a_i * b_i;
+  wire [32:0] sum = product + 33'd8;
+  wire [3:0] unused_sum_low = sum[3:0];  // below the last place of the result
 
-  assign p_o = sum[29:1];
+  assign p_o = sum[32:4];
 
 endmodule
 

@@ -9,7 +9,7 @@ module blysk_quadratic_q24_mul_uq10_0_uq0_20_to_uq10_20 (
     output wire [29:0] p_o  // UQ10.20
 );
 
-  assign p_o = {20'b0, a_i} * {10'b0, b_i};
+  assign p_o = a_i * b_i;
 
 endmodule
 

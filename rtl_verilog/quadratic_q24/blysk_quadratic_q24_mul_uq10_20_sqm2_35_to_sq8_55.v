@@ -9,7 +9,7 @@ module blysk_quadratic_q24_mul_uq10_20_sqm2_35_to_sq8_55 (
     output wire signed [63:0] p_o  // SQ8.55
 );
 
-  assign p_o = {34'b0, a_i} * {{30{b_i[33]}}, b_i};
+  assign p_o = $signed({1'b0, a_i}) * b_i;
 
 endmodule
 

@@ -9,12 +9,11 @@ module blysk_quadratic_q24_mul_uq1_24_uq1_24_to_uq1_35 (
     output wire [35:0] p_o  // UQ1.35
 );
 
-  wire [48:0] product = {24'b0, a_i} * {24'b0, b_i};
-  wire [11:0] unused_product_low = product[11:0];  // below the last place of the result
-  wire [36:0] sum = product[48:12] + 37'd1;
-  wire unused_sum_low = sum[0];  // below the last place of the result
+  wire [48:0] product = a_i * b_i;
+  wire [48:0] sum = product + 49'd4096;
+  wire [12:0] unused_sum_low = sum[12:0];  // below the last place of the result
 
-  assign p_o = sum[36:1];
+  assign p_o = sum[48:13];
 
 endmodule
 

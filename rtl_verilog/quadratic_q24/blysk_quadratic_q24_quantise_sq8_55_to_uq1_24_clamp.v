@@ -14,7 +14,7 @@ module blysk_quadratic_q24_quantise_sq8_55_to_uq1_24_clamp (
   wire unused_sum_low = sum[0];  // below the last place of the result
   wire [33:0] shifted2 = sum[34:1];
 
-  assign y_o = ($signed(shifted2) < 34'sd0) ? 25'd0 : ($signed(shifted2) > 34'sd16777216) ? 25'd16777216 : shifted2[24:0];
+  assign y_o = shifted2[33] ? 25'd0 : (shifted2[33] || (shifted2[32:24] == 9'd0)) ? shifted2[24:0] : 25'd16777216;
 
 endmodule
 

@@ -9,7 +9,7 @@ module blysk_quadratic_q8_mul_uq10_0_uq0_8_to_uq10_8 (
     output wire [17:0] p_o  // UQ10.8
 );
 
-  assign p_o = {8'b0, a_i} * {10'b0, b_i};
+  assign p_o = a_i * b_i;
 
 endmodule
 

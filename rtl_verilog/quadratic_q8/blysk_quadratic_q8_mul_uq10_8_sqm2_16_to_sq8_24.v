@@ -9,7 +9,7 @@ module blysk_quadratic_q8_mul_uq10_8_sqm2_16_to_sq8_24 (
     output wire signed [32:0] p_o  // SQ8.24
 );
 
-  assign p_o = {15'b0, a_i} * {{18{b_i[14]}}, b_i};
+  assign p_o = $signed({1'b0, a_i}) * b_i;
 
 endmodule
 

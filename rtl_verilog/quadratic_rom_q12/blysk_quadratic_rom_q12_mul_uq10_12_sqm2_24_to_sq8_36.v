@@ -9,7 +9,7 @@ module blysk_quadratic_rom_q12_mul_uq10_12_sqm2_24_to_sq8_36 (
     output wire signed [44:0] p_o  // SQ8.36
 );
 
-  assign p_o = {23'b0, a_i} * {{22{b_i[22]}}, b_i};
+  assign p_o = $signed({1'b0, a_i}) * b_i;
 
 endmodule
 

@@ -9,7 +9,7 @@ module blysk_quadratic_rom_q16_mul_uq1_16_uq8_0_to_uq8_16 (
     output wire [23:0] p_o  // UQ8.16
 );
 
-  assign p_o = {7'b0, a_i} * {16'b0, b_i};
+  assign p_o = a_i * b_i;
 
 endmodule
 

@@ -8,13 +8,11 @@ module blysk_quadratic_rom_q16_quantise_sq8_44_to_uq1_16_clamp (
     output wire [16:0] y_o  // UQ1.16, codes 0..65536
 );
 
-  wire [26:0] unused_a_i_low = a_i[26:0];  // below the last place of the result
-  wire [25:0] shifted = a_i[52:27];
-  wire [26:0] sum = {shifted[25], shifted} + 27'd1;
-  wire unused_sum_low = sum[0];  // below the last place of the result
-  wire [25:0] shifted2 = sum[26:1];
+  wire [53:0] sum = {a_i[52], a_i} + 54'd134217728;
+  wire [27:0] unused_sum_low = sum[27:0];  // below the last place of the result
+  wire [25:0] shifted = sum[53:28];
 
-  assign y_o = ($signed(shifted2) < 26'sd0) ? 17'd0 : ($signed(shifted2) > 26'sd65536) ? 17'd65536 : shifted2[16:0];
+  assign y_o = shifted[25] ? 17'd0 : (shifted[25] || (shifted[24:16] == 9'd0)) ? shifted[16:0] : 17'd65536;
 
 endmodule
 

@@ -9,7 +9,7 @@ module blysk_quadratic_rom_q24_mul_uq1_24_uq8_0_to_uq8_24 (
     output wire [31:0] p_o  // UQ8.24
 );
 
-  assign p_o = {7'b0, a_i} * {24'b0, b_i};
+  assign p_o = a_i * b_i;
 
 endmodule
 

@@ -9,7 +9,7 @@ module blysk_quadratic_rom_q8_mul_uq1_8_uq1_8_to_uq1_16 (
     output wire [16:0] p_o  // UQ1.16
 );
 
-  assign p_o = {8'b0, a_i} * {8'b0, b_i};
+  assign p_o = a_i * b_i;
 
 endmodule
 

@@ -9,7 +9,7 @@ module blysk_quadratic_rom_q8_mul_uq1_8_uq8_0_to_uq8_8 (
     output wire [15:0] p_o  // UQ8.8
 );
 
-  assign p_o = {7'b0, a_i} * {8'b0, b_i};
+  assign p_o = a_i * b_i;
 
 endmodule
 

@@ -8,13 +8,11 @@ module blysk_quadratic_rom_q8_quantise_sq8_24_to_uq1_8_clamp (
     output wire [8:0] y_o  // UQ1.8, codes 0..256
 );
 
-  wire [14:0] unused_a_i_low = a_i[14:0];  // below the last place of the result
-  wire [17:0] shifted = a_i[32:15];
-  wire [18:0] sum = {shifted[17], shifted} + 19'd1;
-  wire unused_sum_low = sum[0];  // below the last place of the result
-  wire [17:0] shifted2 = sum[18:1];
+  wire [33:0] sum = {a_i[32], a_i} + 34'd32768;
+  wire [15:0] unused_sum_low = sum[15:0];  // below the last place of the result
+  wire [17:0] shifted = sum[33:16];
 
-  assign y_o = ($signed(shifted2) < 18'sd0) ? 9'd0 : ($signed(shifted2) > 18'sd256) ? 9'd256 : shifted2[8:0];
+  assign y_o = shifted[17] ? 9'd0 : (shifted[17] || (shifted[16:8] == 9'd0)) ? shifted[8:0] : 9'd256;
 
 endmodule
 

@@ -18,14 +18,16 @@ constexpr wide rounded(wide x, int bits) {
   return bits == 0 ? x : (x + (wide{1} << (bits - 1))) >> bits;
 }
 
+/// Rounds at both ends of a range that leaves as much headroom as asked, and around 0.
 template <class T>
-constexpr bool rounds_at_ends(int bits) {
-  // Rounding off one bit needs one more above.
-  const T low = bits == 1 ? std::numeric_limits<T>::min() / 2 : std::numeric_limits<T>::min();
-  const T high = bits == 1 ? std::numeric_limits<T>::max() / 2 : std::numeric_limits<T>::max();
+constexpr bool rounds_at_ends(int bits, bool with_headroom) {
+  // Rounding off one bit always needs one more above.
+  const wide reserve = with_headroom ? (wide{1} << bits >> 1) : bits == 1 ? 1 : 0;
+  const T low = std::numeric_limits<T>::min();
+  const T high = static_cast<T>(std::numeric_limits<T>::max() - reserve);
   for (int i = 0; i < 1024; ++i) {
     for (const T x : {static_cast<T>(low + i), static_cast<T>(i - 512), static_cast<T>(high - i)}) {
-      if (wide{law::round_off<T>(x, bits)} != rounded(x, bits)) return false;
+      if (wide{law::round_off<T>(x, bits, with_headroom)} != rounded(x, bits)) return false;
     }
   }
   return true;
@@ -34,7 +36,7 @@ constexpr bool rounds_at_ends(int bits) {
 /// At compile time an overflow is an error.
 template <class T, int... Bits>
 constexpr bool rounds_without_overflow(std::integer_sequence<int, Bits...>) {
-  return (rounds_at_ends<T>(Bits) && ...);
+  return ((rounds_at_ends<T>(Bits, false) && rounds_at_ends<T>(Bits, true)) && ...);
 }
 static_assert(rounds_without_overflow<std::int64_t>(std::make_integer_sequence<int, 9>{}));
 static_assert(rounds_without_overflow<std::int32_t>(std::make_integer_sequence<int, 9>{}));
@@ -44,8 +46,10 @@ static_assert(rounds_without_overflow<std::int32_t>(std::make_integer_sequence<i
 TEST_CASE("round_off is floor(x / 2^bits + 1/2), ties up, whatever the bits", "[law]") {
   for (int bits = 0; bits <= 62; ++bits) {
     CAPTURE(bits);
-    CHECK(rounds_at_ends<std::int64_t>(bits));
-    if (bits <= 30) CHECK(rounds_at_ends<std::int32_t>(bits));
+    for (const bool with_headroom : {false, true}) {
+      CHECK(rounds_at_ends<std::int64_t>(bits, with_headroom));
+      if (bits <= 30) CHECK(rounds_at_ends<std::int32_t>(bits, with_headroom));
+    }
   }
   CHECK(law::round_off<std::int64_t>(-3, 1) == -1);
   CHECK(law::round_off<std::int64_t>(3, 1) == 2);
@@ -53,13 +57,17 @@ TEST_CASE("round_off is floor(x / 2^bits + 1/2), ties up, whatever the bits", "[
   CHECK(law::round_off<std::int64_t>(-2, 2) == 0);
 }
 
-TEST_CASE("rounds_within says where rounding overflows 64 bits", "[law]") {
+TEST_CASE("has_headroom and rounds_within say where rounding overflows 64 bits", "[law]") {
+  constexpr wide limit = std::numeric_limits<std::int64_t>::max();
   for (int width = 1; width <= 70; ++width) {
     const wide largest = (wide{1} << (width - 1)) - 1;
+    CAPTURE(width);
+    // The half is at most as large as the number: more is never rounded away.
+    CHECK(law::has_headroom(width) == (largest + (wide{1} << (width - 1) >> 1) <= limit));
     for (int bits = 0; bits <= 10; ++bits) {
+      CAPTURE(bits);
       const wide sum = bits == 0 ? largest : (largest >> (bits - 1)) + 1;
-      CAPTURE(width, bits);
-      CHECK(law::rounds_within(width, bits) == (sum <= std::numeric_limits<std::int64_t>::max()));
+      CHECK(law::rounds_within(width, bits) == (largest <= limit && sum <= limit));
     }
   }
   CHECK_FALSE(law::rounds_within(8, -1));

@@ -54,13 +54,19 @@ bool is_name(const node& n) {
 ///
 /// A result is wanted at some width only, and all operators but comparisons and right shifts find the low w bits of
 /// a result from the low w bits of their operands. So widths are handed down from the results, and every operand is
-/// cut or extended to what its operator needs: the text has no implicit extension and no mixed signs.
+/// cut or extended to what its operator needs: the text has no implicit extension and no mixed signs, but in products.
+///
+/// The factors of a product keep their own widths and signs, since synthesis tools take the size of a multiplier from
+/// them: a product is the whole of an assignment, whose width it takes.
 class writer {
  public:
   explicit writer(const netlist::block& part) {
     for (const declaration& name : part.declarations()) taken_.insert(name.name);
-    for (const assignment& drive : part.drives())
-      want(*drive.value.root(), part.declarations()[drive.target].bits.width);
+    for (const assignment& drive : part.drives()) {
+      const node& root = *drive.value.root();
+      want(root, part.declarations()[drive.target].bits.width);
+      if (part.declarations()[drive.target].bits.width <= root.width()) assigned_.insert(&root);
+    }
     for (const flip_flops& flops : part.registers()) {
       for (const expression* bit : {&flops.clk, &flops.rst_n, &flops.enable}) want(*bit->root(), 1);
       want(*flops.d.root(), part.declarations()[flops.q].bits.width);
@@ -128,7 +134,7 @@ class writer {
       order_.erase(std::prev(order_.end()));
       for (std::size_t i = 0; i < n.operands.size(); ++i) {
         const int width = operand_width(n, i);
-        if (width > 0) want(*n.operands[i], width, n.op == operation::shift_right);
+        if (width > 0) want(*n.operands[i], width, n.op == operation::shift_right || threshold_of(n) >= 0);
       }
     }
   }
@@ -164,9 +170,11 @@ class writer {
     return std::max(width(a), width(b));
   }
 
-  // A wire is needed where Verilog takes bits out of names alone, and where two users share a result.
+  // A wire is needed where Verilog takes bits out of names alone, where two users share a result, and for a product
+  // inside of an expression.
   bool needs_wire(const node& n) const {
     if (n.op == operation::constant || is_name(n)) return false;
+    if (n.op == operation::multiply && !assigned_.contains(&n)) return true;
     const use& wanted = uses_.at(&n);
     return wanted.count > 1 || wanted.is_sliced || (n.is_signed() && wanted.width > n.width());
   }
@@ -222,7 +230,7 @@ class writer {
       case operation::subtract:
         return binary("-", phrase::sum, phrase::product);
       case operation::multiply:
-        return binary("*", phrase::product, phrase::unary);
+        return product(n);
       case operation::complement:
         return {fmt::format("~{}", operand(0).within(phrase::primary)), phrase::unary};
       case operation::shift_left:
@@ -236,6 +244,7 @@ class writer {
         return {slice(name, from.op == operation::signal ? from.width() : own_width(from), high, n.distance)};
       }
       case operation::less:
+        if (threshold_of(n) >= 0) return below_power(*n.operands[0], threshold_of(n));
         return n.operands[0]->op == operation::constant ? relation(n, 1, ">", 0) : relation(n, 0, "<", 1);
       case operation::equal:
         return relation(n, 0, "==", 1);
@@ -265,6 +274,58 @@ class writer {
         break;
     }
     throw std::logic_error("not an operator");
+  }
+
+  /// The threshold of "x < 0" and "x < 2^k", which the upper bits of x decide; -1 for all other nodes.
+  static wide_int threshold_of(const node& n) {
+    if (n.op != operation::less || n.operands[1]->op != operation::constant) return -1;
+    const node& x = *n.operands[0];
+    const wide_int threshold = n.operands[1]->low;
+    if (x.op == operation::constant || threshold < 0 || threshold > x.high) return -1;
+    const bool is_power = (threshold & (threshold - 1)) == 0;
+    return is_power && (x.is_signed() || threshold > 0) ? threshold : -1;
+  }
+
+  /// x < threshold, a power of two or 0, without a comparator: not all synthesis tools find that they need none.
+  phrase below_power(const node& x, wide_int threshold) {
+    const std::string name = name_of(x);
+    const int whole = is_name(x) ? x.width() : own_width(x);
+    const int magnitude = whole - (x.is_signed() ? 1 : 0);
+    phrase is_negative;
+    if (x.is_signed()) {
+      mark_read(name, whole - 1, whole - 1);
+      is_negative = {slice(name, whole, whole - 1, whole - 1)};
+      if (threshold == 0) return is_negative;
+    }
+    int place = 0;
+    while (wide_int{1} << place < threshold) ++place;
+    mark_read(name, magnitude - 1, place);
+    const std::string upper = slice(name, whole, magnitude - 1, place);
+    const std::string is_below = fmt::format("{} == {}", upper, literal(0, magnitude - place));
+    if (!x.is_signed()) return {is_below, phrase::relation};
+    return {fmt::format("{} || ({})", is_negative.text, is_below), phrase::disjunction};
+  }
+
+  /// Factors whose sign bit is cut off are read as unsigned numbers: the low bits of the product are the same.
+  phrase product(const node& n) {
+    const int own = own_width(n);
+    const auto keeps_sign = [&](std::size_t i) {
+      return n.operands[i]->is_signed() && n.operands[i]->width() < own;
+    };
+    const bool is_signed = keeps_sign(0) || keeps_sign(1);
+    const auto factor = [&](std::size_t i, phrase::binding rank) {
+      const node& from = *n.operands[i];
+      const int width = std::min(own, from.width());
+      if (!is_signed) return bits(from, width).within(rank);
+      if (!keeps_sign(i) && width < own)
+        return fmt::format("$signed({})", concatenate({"1'b0"}, bits(from, width)).text);
+      if (from.op == operation::constant) return signed_literal(from.low, width);
+      if (from.op == operation::signal && from.is_signed() && width == from.width())
+        return bits(from, width).text;
+      return fmt::format("$signed({})", bits(from, width).text);
+    };
+    const std::string left = factor(0, phrase::product);
+    return {fmt::format("{} * {}", left, factor(1, phrase::unary)), phrase::product};
   }
 
   static phrase bitwise(const char* symbol, const phrase& a, const phrase& b) {
@@ -346,6 +407,7 @@ class writer {
     return result;
   }
 
+  std::set<const node*> assigned_;  // whole right sides of assignments
   std::map<const node*, use> uses_;
   std::set<std::pair<int, const node*>> order_;
   std::map<const node*, std::string> names_;

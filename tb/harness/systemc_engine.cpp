@@ -36,7 +36,7 @@ class host : public sc_core::sc_module {
           results_.push_back(each.get());
           break;
         case port::role::data:
-          data_.push_back({each.get(), data_.size(), nullptr});
+          data_.push_back({each.get(), data_.size(), nullptr, 0, false});
           break;
         case port::role::strobe:
         case port::role::control:
@@ -84,6 +84,8 @@ class host : public sc_core::sc_module {
     bound_port* data;
     std::size_t column;
     bound_port* strobe;
+    std::int64_t value;  // at the data port
+    bool is_up;          // the strobe
   };
 
   void start(std::uint64_t cycles) {
@@ -95,22 +97,18 @@ class host : public sc_core::sc_module {
   // strobes go up as it goes down, so that all registers change at one edge of clk and the outputs settle once per write.
   void drive() {
     if (in_ == nullptr) return;
-    const channel& confirming = trailing_.front();
+    channel& confirming = trailing_.front();
     if (waits_ > 0) {  // the outputs have not settled
       --waits_;
-      for (const channel& each : level_) {
-        if (each.strobe->read() != 0) each.strobe->write(0);
-      }
-    } else if (confirming.strobe->read() == 0) {
-      confirming.strobe->write(1);
-      for (const channel& each : level_) {
-        if (each.strobe->read() != 0) each.strobe->write(0);
-      }
+      for (channel& each : level_) strobe(each, false);
+    } else if (!confirming.is_up) {
+      strobe(confirming, true);
+      for (channel& each : level_) strobe(each, false);
       if (next_ < in_->size()) confirming.data->write((*in_)[confirming.column].get(next_));
     } else {
-      confirming.strobe->write(0);
+      strobe(confirming, false);
       if (next_ < in_->size()) {
-        for (const channel& each : level_) put(each, (*in_)[each.column].get(next_));
+        for (channel& each : level_) put(each, (*in_)[each.column].get(next_));
       }
       ++next_;
       waits_ = settling_cycles();
@@ -119,11 +117,19 @@ class host : public sc_core::sc_module {
 
   std::uint64_t settling_cycles() const { return static_cast<std::uint64_t>(valid_->what.settling_cycles); }
 
+  // Signals are written when they change only: SystemC's kernel takes most of the time.
+  static void strobe(channel& of, bool up) {
+    if (of.is_up == up) return;
+    of.strobe->write(up ? 1 : 0);
+    of.is_up = up;
+  }
+
   // A register that holds the value already is not written again.
-  static void put(const channel& to, std::int64_t value) {
-    if (to.data->read() == value) return;
+  static void put(channel& to, std::int64_t value) {
+    if (to.value == value) return;
     to.data->write(value);
-    to.strobe->write(1);
+    to.value = value;
+    strobe(to, true);
   }
 
   void capture() {

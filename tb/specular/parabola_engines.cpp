@@ -18,12 +18,14 @@ free_shape shape_of(const word_lengths& bits, bool is_clamped) {
     if (found == bits.end()) throw std::invalid_argument(fmt::format("word length {} is missing", name));
     return found->second;
   };
-  const free_shape shape{at("cos"), at("coefficient"), at("square"), is_clamped};
   // Of the nets of parabola_formats the square, UQ2.2F, and the parabola, SQ8.(K + D), are the widest.
   constexpr int kWidest = 64;
+  const int parabola_width = 1 + 8 + at("coefficient") + at("square");
+  const free_shape shape{at("cos"), at("coefficient"), at("square"), is_clamped,
+                         law::has_headroom(parabola_width)};
   const bool fits = shape.cos_bits >= 1 && shape.coefficient_bits >= 1 && shape.diff_bits >= shape.cos_bits &&
                     shape.diff_bits <= 2 * shape.cos_bits && 2 + 2 * shape.cos_bits < kWidest &&
-                    1 + 8 + shape.coefficient_bits + shape.diff_bits <= kWidest;
+                    parabola_width <= kWidest;
   if (!fits) {
     throw std::invalid_argument(fmt::format(
         "word lengths cos {}, coefficient {}, square {} do not fit, expected 1 <= cos <= 30, cos <= "

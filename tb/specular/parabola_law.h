@@ -32,9 +32,11 @@ struct fixed_shape {
   using cos_t = machine_int<typename Formats::cos_inv>;
   using square_t = machine_int<typename Formats::mul7::exact>;
   using product_t = machine_int<typename Formats::a_diff>;
-  using rounded_t = machine_int<sq<9, Formats::cos_bits>>;  // the sum with one bit more than it is rounded to
+  using rounded_t = machine_int<sq<9, Formats::cos_bits>>;
   using brdf_t = machine_int<typename Formats::brdf>;
   using out_t = std::conditional_t<(Formats::out::width <= 32), std::uint32_t, std::int64_t>;
+
+  static constexpr bool has_headroom = Formats::a_diff::width < 8 * int{sizeof(product_t)};
 };
 
 /// Word lengths that are chosen at run time, everything in 64 bits.
@@ -43,6 +45,7 @@ struct free_shape {
   int coefficient_bits;
   int diff_bits;
   bool is_clamped;
+  bool has_headroom;  // half a unit of the result can be added to adder 11's sum
 
   using a_t = std::int64_t;
   using cos_t = std::int64_t;
@@ -72,7 +75,7 @@ template <class Shape>
   const int dropped = shape.coefficient_bits + shape.diff_bits - shape.cos_bits;
   const auto sum = law::add<product_t>(a_diff, 0, c, dropped, carry30);
   using rounded_t = typename Shape::rounded_t;
-  const auto rounded = law::round_off_to<rounded_t>(sum, dropped);
+  const auto rounded = static_cast<rounded_t>(law::round_off(sum, dropped, shape.has_headroom));
   const rounded_t low = shape.is_clamped ? 0 : std::numeric_limits<rounded_t>::min();
   const rounded_t high = shape.is_clamped ? static_cast<rounded_t>(rounded_t{1} << shape.cos_bits)
                                           : std::numeric_limits<rounded_t>::max();
