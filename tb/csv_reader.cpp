@@ -128,7 +128,8 @@ void csv_reader::read_header(std::string_view header) {
     const std::string_view line = trim(text_);
     if (line.empty()) continue;
     if (is_comment(line)) {
-      is_found = find_columns(trim(line.substr(std::min(line.find_first_not_of('#'), line.size())))) || is_found;
+      is_found =
+          find_columns(trim(line.substr(std::min(line.find_first_not_of('#'), line.size())))) || is_found;
       continue;
     }
     if (find_columns(line)) return;
@@ -174,7 +175,8 @@ bool csv_reader::next_row(bool may_wait) {
   for (;;) {
     if (!read_line(may_wait)) return false;
     const std::string_view line = trim(text_);
-    const bool is_empty = std::ranges::all_of(line, [this](char c) { return c == separator_ || is_blank(c); });
+    const bool is_empty =
+        std::ranges::all_of(line, [this](char c) { return c == separator_ || is_blank(c); });
     if (!is_empty && !is_comment(line)) break;
   }
   fields_.clear();
@@ -184,7 +186,8 @@ bool csv_reader::next_row(bool may_wait) {
 const std::vector<std::string_view>& csv_reader::fields() {
   if (!fields_.empty()) return fields_;
   if (!split(text_, separator_, all_fields_)) {
-    throw error(fmt::format("row '{}' has a quote out of place, expected fields such as 1 or \"1\"", shown(text_)));
+    throw error(
+        fmt::format("row '{}' has a quote out of place, expected fields such as 1 or \"1\"", shown(text_)));
   }
   drop_empty_ends(all_fields_, all_names_.size());
   if (all_fields_.size() != all_names_.size()) {
@@ -239,8 +242,7 @@ bool csv_reader::read_line(bool may_wait) {
   }
   if (newline == nullptr && begin_ == end_) return false;
   line_ = begin_;
-  const std::size_t line_end =
-      newline == nullptr ? end_ : static_cast<std::size_t>(newline - buffer_.data());
+  const std::size_t line_end = newline == nullptr ? end_ : static_cast<std::size_t>(newline - buffer_.data());
   begin_ = newline == nullptr ? end_ : line_end + 1;
   text_ = {buffer_.data() + line_, line_end - line_};
   ++line_number_;

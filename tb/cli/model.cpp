@@ -96,8 +96,7 @@ void run(const options& asked) {
     if (text.size() >= kFlushBytes) write();
   }
   results.commit();
-  if (asked.clamps)
-    fmt::print(asked.results == "-" ? stderr : stdout, "{} clamped\n", points.clamped());
+  if (asked.clamps) fmt::print(asked.results == "-" ? stderr : stdout, "{} clamped\n", points.clamped());
 }
 
 }  // namespace
@@ -106,13 +105,16 @@ void add_model(CLI::App& program) {
   auto* verb = program.add_subcommand("model", "Evaluate a golden reflectance model on points of a CSV file");
   auto asked = std::make_shared<options>();
   verb->add_option("NAME", asked->name, "one of the models of blysk list")->required();
-  verb->add_option("--points", asked->points, "CSV with the columns of the model, see blysk list; others are passed over; - for standard input")
+  verb->add_option(
+          "--points", asked->points,
+          "CSV with the columns of the model, see blysk list; others are passed over; - for standard input")
       ->required();
   verb->add_option("--results", asked->results,
                    "CSV to write: the points and their value, 17 digits; - for standard output")
       ->required();
-  verb->add_flag("--clamp", asked->clamps,
-                 "take cosines not more than 2^-23 outside [0, 1], as rounding leaves them, for 0 or 1, and count them");
+  verb->add_flag(
+      "--clamp", asked->clamps,
+      "take cosines not more than 2^-23 outside [0, 1], as rounding leaves them, for 0 or 1, and count them");
   verb->footer(
       "Examples:\n"
       "  blysk model blinn --points points.csv --results -\n"

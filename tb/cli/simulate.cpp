@@ -44,7 +44,8 @@ void check(const options& asked) {
   }
 }
 
-void report(const options& asked, const selection& device, const outcome& run, const clocked_engine* clocked) {
+void report(const options& asked, const selection& device, const outcome& run,
+            const clocked_engine* clocked) {
   nlohmann::ordered_json json{{"device", device.of().name()},
                               {"format", device.format()},
                               {"engine", asked.engine},
@@ -143,9 +144,10 @@ void add_simulate(CLI::App& program) {
           "CSV to write: the stimulus as the device takes it, and the results; - for standard output")
       ->required();
   verb->add_option("--vcd", asked->vcd, "record the waves (engine systemc)");
-  verb->add_flag("--clamp", asked->clamps,
-                 "take real numbers not more than 2^-23 outside their range, as rounding leaves them, for its end; the "
-                 "summary counts them");
+  verb->add_flag(
+      "--clamp", asked->clamps,
+      "take real numbers not more than 2^-23 outside their range, as rounding leaves them, for its end; the "
+      "summary counts them");
   verb->add_flag("--json", asked->json, "print the summary as JSON");
   verb->footer(
       "Examples:\n"

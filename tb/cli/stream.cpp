@@ -26,7 +26,8 @@ std::uint64_t stream(stimulus_reader& stimulus, const std::function<void(row_blo
         append_rows(text, stimulus.ports(), block);
         results.write({text.data(), text.size()});
         text.clear();
-        if (block.writes.size() < kRowsPerBlock) results.flush();  // somebody may wait for these before he goes on
+        if (block.writes.size() < kRowsPerBlock)
+          results.flush();  // somebody may wait for these before he goes on
         if (block.writes.size() == 0) return;
         empty.release();
       }

@@ -152,8 +152,9 @@ TEST_CASE("a table as other programs write it is read", "[cli]") {
   REQUIRE(run_blysk(folder, simulate(plain, folder.path("plain-results.csv"))).status == 0);
   const std::string expected = slurp(folder.path("plain-results.csv"));
   const auto [name, text] = GENERATE_COPY(table<std::string, std::string>(
-      {{"numpy.savetxt", "# n,cos,r,g,b\n1.000e+01,9.900e-01,2.000e+02,1.000e+02,5.000e+01\n"
-                         "1.000e+03,1.000e+00,2.550e+02,0.000e+00,1.000e+00\n"},
+      {{"numpy.savetxt",
+        "# n,cos,r,g,b\n1.000e+01,9.900e-01,2.000e+02,1.000e+02,5.000e+01\n"
+        "1.000e+03,1.000e+00,2.550e+02,0.000e+00,1.000e+00\n"},
        {"numpy.savetxt, its delimiter",
         "# n cos r g b\n1.0e+01 9.9e-01 2.0e+02 1.0e+02 5.0e+01\n1e3 1e0 2.55e2 0 1\n"},
        {"pandas, with its index", ",n,cos,r,g,b\n0,10,0.99,200,100,50\n1,1000,1.0,255,0,1\n"},
@@ -169,7 +170,8 @@ TEST_CASE("a table as other programs write it is read", "[cli]") {
        {"a header twice, behind # and plain",
         "# columns: n cos r g b\n# n,cos,r,g,b\nn,cos,r,g,b\n10,0.99,200,100,50\n1000,1,255,0,1\n"},
        {"a comma at the end of lines", "n,cos,r,g,b,\n10,0.99,200,100,50,\n1000,1,255,0,1,,\n"},
-       {"columns in another order, and others", "b,g,why,r,cos,n\n50,100,\"a, b\",200,0.99,10\n1,0,,255,1,1000\n"},
+       {"columns in another order, and others",
+        "b,g,why,r,cos,n\n50,100,\"a, b\",200,0.99,10\n1,0,,255,1,1000\n"},
        {"own results", expected}}));
   CAPTURE(name, text);
   const std::string in = folder.write("in.csv", text);
@@ -208,9 +210,10 @@ TEST_CASE("a table whose meaning is not clear is refused", "[cli]") {
 TEST_CASE("with --clamp is taken what rounding leaves outside [0, 1], and counts it", "[cli]") {
   const scratch folder;
   const std::string out = folder.path("out.csv");
-  const std::string in = folder.write(
-      "in.csv", "n,cos,r,g,b\n10,1.0000000000000002,1,2,3\n10,1.00000011920928955078125,1,2,3\n"
-                "10,-1.1920928955078125e-7,1,2,3\n10,-1e-400,1,2,3\n10,1,1,2,3\n10,0.5,1,2,3\n");
+  const std::string in =
+      folder.write("in.csv",
+                   "n,cos,r,g,b\n10,1.0000000000000002,1,2,3\n10,1.00000011920928955078125,1,2,3\n"
+                   "10,-1.1920928955078125e-7,1,2,3\n10,-1e-400,1,2,3\n10,1,1,2,3\n10,0.5,1,2,3\n");
   const outcome done = run_blysk(folder, simulate(in, out, "--clamp --json"));
   REQUIRE(done.status == 0);
   CHECK(nlohmann::json::parse(done.out)["clamped"] == 3);  // -1e-400 is 0
@@ -219,9 +222,10 @@ TEST_CASE("with --clamp is taken what rounding leaves outside [0, 1], and counts
   CHECK(run_blysk(folder, simulate(in, out, "--clamp")).out.find(", 3 clamped") != std::string::npos);
   const outcome refused = run_blysk(folder, simulate(in, out));
   CHECK(refused.status == 2);
-  CHECK(refused.err == "blysk: " + in +
-                           ":2: cos is '1.0000000000000002', expected a real number in [0, 1], or --clamp, which "
-                           "takes the nearest\n");
+  CHECK(refused.err ==
+        "blysk: " + in +
+            ":2: cos is '1.0000000000000002', expected a real number in [0, 1], or --clamp, which "
+            "takes the nearest\n");
   for (const std::string cosine : {"1.0000001192092898", "-1.1920928955078127e-7", "1.5", "nan", "inf"}) {
     CAPTURE(cosine);
     folder.write("in.csv", "n,cos,r,g,b\n10," + cosine + ",1,2,3\n");

@@ -123,7 +123,8 @@ TEST_CASE("rows that look plain and are wrong are refused", "[cli]") {
     csv_reader reader(folder.write("in.csv", fmt::format("n,cos,r,g,b\n7,0.7,7,7,7\n{}{}", row, end)),
                       "n,cos,r,g,b");
     columns block;
-    CHECK_THROWS_WITH(stimulus_reader(reader, ports_of("q8")).read(block), folder.path("in.csv") + ":3: " + message);
+    CHECK_THROWS_WITH(stimulus_reader(reader, ports_of("q8")).read(block),
+                      folder.path("in.csv") + ":3: " + message);
   }
 }
 
@@ -249,7 +250,7 @@ TEST_CASE("what goes wrong in either thread ends the stream", "[cli]") {
   SECTION("in the stimulus") {
     csv_reader rows(folder.write("in.csv", stimulus() + "bad\n"), stimulus_header(ports));
     stimulus_reader reader(rows, ports);
-  output_file file(folder.path("out.csv"));
+    output_file file(folder.path("out.csv"));
     CHECK_THROWS_WITH(
         stream(reader, nothing, file),
         folder.path("in.csv") + fmt::format(":{}: row has 1 fields, expected 5: n,cos,r,g,b", kRows + 2));
@@ -257,7 +258,7 @@ TEST_CASE("what goes wrong in either thread ends the stream", "[cli]") {
   SECTION("in the engine") {
     csv_reader rows(folder.write("in.csv", stimulus()), stimulus_header(ports));
     stimulus_reader reader(rows, ports);
-  output_file file(folder.path("out.csv"));
+    output_file file(folder.path("out.csv"));
     int blocks = 0;
     const auto fail_later = [&](row_block& block) {
       nothing(block);
@@ -270,7 +271,7 @@ TEST_CASE("what goes wrong in either thread ends the stream", "[cli]") {
     for (int i = 0; i < 4; ++i) many += many.substr(many.find('\n') + 1);
     csv_reader rows(folder.write("in.csv", many), stimulus_header(ports));
     stimulus_reader reader(rows, ports);
-  output_file file("/dev/full");
+    output_file file("/dev/full");
     CHECK_THROWS_WITH(stream(reader, nothing, file),
                       "/dev/full:1: cannot be written (No space left on device)");
     CHECK(rows.next());
