@@ -57,6 +57,7 @@ reported tb/netlist/CMakeLists.txt "blysk_add_test(unit.${device}_x SOURCES a.cp
 reported tb/harness/systemc_engine.cpp "#include \"tb/devices/$device/wires.h\""
 reported tb/inputs.cpp '  SC_HAS''_PROCESS(x);'
 reported tb/inputs.cpp '  use([&, size'' = size] { return size; });'
+reported tb/inputs.cpp 'int main(int argc, char** argv) { return run(argc, argv); }'
 ignored tb/inputs.cpp "  // such as $device"
 ignored "tb/devices/$device/wires.h" "namespace blysk::${device}_device {}"
 ignored tb/inputs.cpp "  return golden::$device(1, 2);"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdio>
+#include <deque>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -12,50 +12,75 @@
 
 namespace blysk {
 
-/// CSV with a fixed header, read line by line in constant memory. A byte order mark, CRLF, blanks around fields and
-/// empty lines are tolerated; there is no quoting.
+/// CSV with a header, read line by line in constant memory.
+///
+/// The header has to name the wanted columns, each once, in any order; other columns are passed over. It may follow lines
+/// of comment, and stand behind a `#` itself. Columns are separated as the header separates them: by commas,
+/// semicolons, tabs or blanks. Fields may be quoted, "" being a quote. Empty fields beyond the header's are none.
+/// Passed over are a byte order mark, blanks around fields, CR before LF, lines without a field that is not empty, and
+/// lines that begin with #.
 class csv_reader {
  public:
   /// \param path    "-" is standard input
-  /// \param header  column names, separated by commas
-  /// \throws usage_error if the file cannot be read or its first line is not that header; lines end within 1 MiB
+  /// \param header  names of the wanted columns, separated by commas
+  /// \throws usage_error if the file cannot be read or has no such header; lines end within 1 MiB
   csv_reader(const std::string& path, std::string_view header);
+  ~csv_reader();
+  csv_reader(const csv_reader&) = delete;
+  csv_reader& operator=(const csv_reader&) = delete;
 
   /// Reads the next row; false at the end of the file.
   bool next();
 
-  /// The row's text without the line's end, valid until the next call of next(). The kSlack bytes behind it can be
-  /// read, whatever they are.
-  std::string_view text() const { return text_; }
-  static constexpr std::size_t kSlack = 8;
+  /// The same if the row is there without waiting for more input; false where it would have to wait, too.
+  bool next_at_hand();
 
-  /// The fields of the row, valid until the next call of next().
+  /// Whether rows may be what the header of the wanted columns alone announces: these columns, separated by commas.
+  bool is_plain() const { return is_plain_; }
+
+  /// The row's text without the line's end, valid until the next row is read.
+  std::string_view text() const { return text_; }
+
+  /// The fields of the wanted columns, in their order, valid until the next row is read.
   /// \throws usage_error if the row has more or fewer fields than the header
   const std::vector<std::string_view>& fields();
 
-  /// The error of that column of the row, after fields(): "NAME is 'FIELD', expected ...".
+  /// The error of a wanted column of the row, after fields(): "NAME is 'FIELD', expected ...".
   usage_error error(std::size_t column, std::string_view expected) const;
 
   /// The error of the row as a whole.
   usage_error error(std::string_view what) const;
 
- private:
-  struct close_stream {
-    void operator()(std::FILE* file) const { std::fclose(file); }
-  };
+  /// Bytes read so far, and those of the whole file; 0 if it is no regular file.
+  std::size_t bytes_read() const { return bytes_read_; }
+  std::size_t file_size() const;
 
-  bool read_line();
-  void set_text_to_line();
-  void split();
+ private:
+  class descriptor;
+
+  void read_header(std::string_view header);
+  bool find_columns(std::string_view line);
+  bool next_row(bool may_wait);
+  bool read_line(bool may_wait);
+  bool fill(bool may_wait);
+  void put_back();
+  bool split(std::string_view line, char separator, std::vector<std::string_view>& fields);
 
   std::string path_;
-  std::vector<std::string> names_;
-  std::unique_ptr<std::FILE, close_stream> file_;
+  std::vector<std::string> names_;      // of the wanted columns
+  std::vector<std::string> all_names_;  // of the file's
+  std::vector<std::size_t> places_;     // of the wanted columns among the file's
+  char separator_ = ',';
+  bool is_plain_ = false;
+  std::unique_ptr<descriptor> file_;
   std::vector<char> buffer_;
-  std::size_t begin_ = 0, end_ = 0;
-  std::string line_;  // a line that does not lie whole in the buffer
+  std::size_t line_ = 0, begin_ = 0, end_ = 0;  // the line, what follows it, and the end of what was read
+  bool is_ended_ = false;
+  std::size_t bytes_read_ = 0;
   std::string_view text_;
-  std::vector<std::string_view> fields_;  // empty until they are asked for
+  std::deque<std::string> unescaped_;  // fields with quotes in them
+  std::vector<std::string_view> all_fields_;
+  std::vector<std::string_view> fields_;  // of the wanted columns; empty until they are asked for
   std::size_t line_number_ = 0;
 };
 

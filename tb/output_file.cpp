@@ -329,6 +329,11 @@ void output_file::write(std::string_view text) {
   line_ += count_lines(text);
 }
 
+void output_file::flush() {
+  errno = 0;
+  if (std::fflush(file_.get()) != 0) fail(line_);
+}
+
 void output_file::close() {
   errno = 0;
   if (file_ && std::fclose(file_.release()) != 0) fail(line_);

@@ -37,6 +37,10 @@ class output_file {
   /// \throws usage_error if the text cannot be written
   void write(std::string_view text);
 
+  /// Hands on what was written so far, to who reads the other end of a pipe.
+  /// \throws usage_error if it cannot be written
+  void flush();
+
   /// \throws usage_error if not all that was written has reached the disk
   void close();
 

@@ -6,25 +6,32 @@
 #include <cstddef>
 #include <cstdio>
 #include <string>
+#include <utility>
 
 namespace blysk {
 
 /// One line on a terminal's standard error that tells how far long work has come; nothing where that is no terminal.
 class progress {
  public:
-  progress(std::string what, std::size_t total) : what_(std::move(what)), total_(total) {}
+  /// \param total      0 if it is not known: what was done is shown in millions then
+  /// \param is_wanted  false: nothing is shown
+  progress(std::string what, std::size_t total, bool is_wanted = true)
+      : what_(std::move(what)), total_(total), shown_(is_wanted && isatty(STDERR_FILENO) == 1) {}
   ~progress() {
     if (shown_) std::fputs("\r\033[K", stderr);
   }
   progress(const progress&) = delete;
   progress& operator=(const progress&) = delete;
 
-  void advance(std::size_t amount) {
-    done_ += amount;
-    const int percent = static_cast<int>(100 * done_ / total_);
-    if (!shown_ || percent == percent_) return;
-    percent_ = percent;
-    std::fprintf(stderr, "\r%s %3d %%", what_.c_str(), percent);
+  void advance(std::size_t amount) { reach(done_ + amount); }
+
+  void reach(std::size_t done) {
+    done_ = done;
+    const std::size_t reached = total_ != 0 ? 100 * done_ / total_ : done_ / 1'000'000;
+    if (!shown_ || (is_begun_ && reached == reached_)) return;
+    is_begun_ = true;
+    reached_ = reached;
+    std::fprintf(stderr, "\r%s %3zu %s", what_.c_str(), reached, total_ != 0 ? "%" : "M");
     std::fflush(stderr);
   }
 
@@ -32,8 +39,9 @@ class progress {
   std::string what_;
   std::size_t total_;
   std::size_t done_ = 0;
-  int percent_ = -1;
-  bool shown_ = isatty(STDERR_FILENO) == 1;
+  std::size_t reached_ = 0;
+  bool is_begun_ = false;
+  bool shown_;
 };
 
 }  // namespace blysk

@@ -203,6 +203,8 @@ void systemc_device(benchmark::State& state, bool all_registers, bool traced) {
 /// Remembers the median rates while the table is printed.
 class rate_reporter : public benchmark::ConsoleReporter {
  public:
+  using ConsoleReporter::ConsoleReporter;
+
   void ReportRuns(const std::vector<Run>& runs) override {
     ConsoleReporter::ReportRuns(runs);
     for (const Run& run : runs) {
@@ -215,7 +217,21 @@ class rate_reporter : public benchmark::ConsoleReporter {
   std::map<std::string, double> rates, per_bare_cycle;
 };
 
+/// Colours on a terminal alone, or as --benchmark_color says: the library asks only where the reporter is its own.
+benchmark::ConsoleReporter::OutputOptions output_options(int argc, char** argv) {
+  bool is_coloured = isatty(STDOUT_FILENO) == 1;
+  for (const std::string_view word : std::span(argv, static_cast<std::size_t>(argc))) {
+    constexpr std::string_view option = "--benchmark_color=";
+    if (!word.starts_with(option) || word == "--benchmark_color=auto") continue;
+    const std::string_view value = word.substr(option.size());
+    is_coloured = value != "false" && value != "no" && value != "0";
+  }
+  using reporter = benchmark::ConsoleReporter;
+  return is_coloured ? reporter::OO_ColorTabular : reporter::OO_Tabular;
+}
+
 int run(int argc, char** argv) {
+  const auto options = output_options(argc, argv);
   sc_core::sc_report_handler::set_actions(sc_core::SC_INFO, sc_core::SC_DO_NOTHING);
   const auto add = [](const char* name, auto function) {
     return benchmark::RegisterBenchmark(name, function)->Repetitions(9)->ReportAggregatesOnly();
@@ -236,7 +252,7 @@ int run(int argc, char** argv) {
   add_device("systemc_cos_only_vcd", false, true);
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
-  rate_reporter reporter;
+  rate_reporter reporter(options);
   benchmark::RunSpecifiedBenchmarks(&reporter);
   const auto ratio = [&](const char* what, const char* a, const char* b) {
     if (reporter.rates.count(a) != 0 && reporter.rates.count(b) != 0) {

@@ -4,14 +4,19 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <memory>
 #include <sstream>
 
 #include "tb/claims/figure.h"
 #include "tb/claims/page.h"
 #include "tb/claims/tables/tables.h"
+#include "tb/output_file.h"
+#include "tb/run_program.h"
+#include "tb/usage_error.h"
 
 namespace {
 
+using namespace blysk;
 using namespace blysk::claims;
 namespace fs = std::filesystem;
 
@@ -32,16 +37,16 @@ std::vector<std::pair<fs::path, std::string>> pages() {
   return result;
 }
 
+/// All pages, or none if one cannot be written.
 int write_pages(const fs::path& docs) {
+  std::vector<std::unique_ptr<output_file>> files;
   for (const auto& [path, text] : pages()) {
     fs::create_directories((docs / path).parent_path());
-    std::ofstream file(docs / path, std::ios::binary);
-    file << text;
-    if (!file.flush()) {
-      std::cerr << "claims: cannot write " << (docs / path).string() << "\n";
-      return 2;
-    }
+    files.push_back(std::make_unique<output_file>((docs / path).string()));
+    files.back()->write(text);
+    files.back()->close();
   }
+  for (const auto& file : files) file->commit();
   return 0;
 }
 
@@ -86,11 +91,10 @@ int run(int argc, char** argv) {
   choice->add_option("--row", row, "Measure and print one row, for example T4")->type_name("ID");
   try {
     program.parse(argc, argv);
-  } catch (const CLI::CallForHelp& help) {
+  } catch (const CLI::Success& help) {
     return program.exit(help);
   } catch (const CLI::ParseError& error) {
-    std::cerr << "claims: " << error.what() << "\n";
-    return 2;
+    throw usage_error(std::string(error.what()) + ", see claims --help");
   }
   if (!output.empty()) return write_pages(output);
   if (!check.empty()) return check_pages(check);
@@ -100,10 +104,5 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  try {
-    return run(argc, argv);
-  } catch (const std::exception& error) {
-    std::cerr << "claims: " << error.what() << "\n";
-    return 2;
-  }
+  return blysk::run_program("claims", [&] { return run(argc, argv); });
 }

@@ -49,12 +49,13 @@ split measure(engine& device, const std::vector<port>& ports, const std::filesys
   const auto compute = [&](row_block& block) { device.run(block.writes, block.computed); };
   split spent;
   {
-    csv_reader stimulus(folder / "stimulus.csv", stimulus_header(ports));
+    csv_reader rows(folder / "stimulus.csv", stimulus_header(ports));
+    stimulus_reader stimulus(rows, ports);
     output_file file(folder / "results.csv");
     row_block block;
     fmt::memory_buffer text;
     for (;;) {
-      spent.reading += seconds([&] { read_block(stimulus, ports, block.writes); });
+      spent.reading += seconds([&] { stimulus.read(block.writes); });
       if (block.writes.size() == 0) break;
       spent.running += seconds([&] { compute(block); });
       spent.writing += seconds([&] {
@@ -64,9 +65,10 @@ split measure(engine& device, const std::vector<port>& ports, const std::filesys
       });
     }
   }
-  csv_reader stimulus(folder / "stimulus.csv", stimulus_header(ports));
+  csv_reader rows(folder / "stimulus.csv", stimulus_header(ports));
+  stimulus_reader stimulus(rows, ports);
   output_file file(folder / "results.csv");
-  spent.streaming = seconds([&] { stream(stimulus, ports, compute, file); });
+  spent.streaming = seconds([&] { stream(stimulus, compute, file); });
   return spent;
 }
 

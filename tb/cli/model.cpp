@@ -1,29 +1,67 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
-#include <charconv>
+#include <algorithm>
+#include <array>
+#include <cstdint>
 #include <memory>
+#include <optional>
+#include <ranges>
 #include <stdexcept>
+#include <string_view>
+#include <vector>
 
 #include "tb/cli/verbs.h"
 #include "tb/csv_reader.h"
 #include "tb/golden/registry.h"
 #include "tb/output_file.h"
+#include "tb/read_number.h"
 
 namespace blysk::cli {
 namespace {
 
 struct options {
   std::string name, points, results;
+  bool clamps = false;
 };
 
-double parse_real(csv_reader& rows, std::size_t column) {
-  const std::string_view field = rows.fields()[column];
-  double value = 0;
-  const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
-  if (error != std::errc{} || end != field.data() + field.size()) throw rows.error(column, "a real number");
-  return value;
+/// Columns of a model whose numbers lie in [0, 1].
+bool is_cosine(std::string_view column) {
+  constexpr std::array<std::string_view, 5> cosines{"cos", "nh", "nl", "nv", "vh"};
+  return std::ranges::find(cosines, column) != cosines.end();
 }
+
+/// Reads points, counts those that were clamped.
+class point_reader {
+ public:
+  point_reader(csv_reader& rows, std::string_view header, bool clamps) : rows_(rows), clamps_(clamps) {
+    for (const auto name : std::views::split(header, ','))
+      are_cosines_.push_back(is_cosine(std::string_view(name.begin(), name.end())));
+  }
+
+  std::uint64_t clamped() const { return clamped_; }
+
+  void read(std::vector<double>& inputs) {
+    inputs.clear();
+    for (std::size_t column = 0; column < are_cosines_.size(); ++column) {
+      const std::optional<double> value = read_real(rows_.fields()[column]);
+      if (!value) throw rows_.error(column, "a real number");
+      inputs.push_back(*value);
+      const bool is_near = are_cosines_[column] && *value >= -kClampReach && *value <= 1 + kClampReach;
+      const double nearest = std::clamp(*value, 0.0, 1.0);
+      if (!clamps_ || !is_near || nearest == *value) continue;
+      inputs.back() = nearest;
+      ++clamped_;
+    }
+  }
+
+ private:
+  csv_reader& rows_;
+  bool clamps_;
+  std::vector<bool> are_cosines_;
+  std::uint64_t clamped_ = 0;
+};
 
 void run(const options& asked) {
   const golden::model* const model = golden::find_model(asked.name);
@@ -32,27 +70,33 @@ void run(const options& asked) {
   }
   expect_different_files({"--points", "--results"}, {asked.points, asked.results});
   csv_reader rows(asked.points, model->header);
+  point_reader points(rows, model->header, asked.clamps);
   output_file results(asked.results);
   fmt::memory_buffer text;
+  const auto write = [&] {
+    results.write({text.data(), text.size()});
+    text.clear();
+  };
   fmt::format_to(std::back_inserter(text), "{},value\n", model->header);
   std::vector<double> inputs;
-  while (rows.next()) {
-    inputs.clear();
-    for (std::size_t column = 0; column < rows.fields().size(); ++column)
-      inputs.push_back(parse_real(rows, column));
+  for (;;) {
+    if (!rows.next_at_hand()) {  // somebody may wait for these values before he goes on
+      write();
+      results.flush();
+      if (!rows.next()) break;
+    }
+    points.read(inputs);
     try {
-      fmt::format_to(std::back_inserter(text), "{},{:.17g}\n", rows.text(), model->value(inputs));
+      fmt::format_to(std::back_inserter(text), "{},{:.17g}\n", fmt::join(rows.fields(), ","),
+                     model->value(inputs));
     } catch (const std::domain_error& error) {
       throw rows.error(error.what());
     }
     constexpr std::size_t kFlushBytes = std::size_t{1} << 16;
-    if (text.size() >= kFlushBytes) {
-      results.write({text.data(), text.size()});
-      text.clear();
-    }
+    if (text.size() >= kFlushBytes) write();
   }
-  results.write({text.data(), text.size()});
   results.commit();
+  if (asked.clamps) fmt::print(asked.results == "-" ? stderr : stdout, "{} clamped\n", points.clamped());
 }
 
 }  // namespace
@@ -61,11 +105,16 @@ void add_model(CLI::App& program) {
   auto* verb = program.add_subcommand("model", "Evaluate a golden reflectance model on points of a CSV file");
   auto asked = std::make_shared<options>();
   verb->add_option("NAME", asked->name, "one of the models of blysk list")->required();
-  verb->add_option("--points", asked->points, "CSV with the model's header, - for standard input")
+  verb->add_option(
+          "--points", asked->points,
+          "CSV with the columns of the model, see blysk list; others are passed over; - for standard input")
       ->required();
   verb->add_option("--results", asked->results,
                    "CSV to write: the points and their value, 17 digits; - for standard output")
       ->required();
+  verb->add_flag(
+      "--clamp", asked->clamps,
+      "take cosines not more than 2^-23 outside [0, 1], as rounding leaves them, for 0 or 1, and count them");
   verb->footer(
       "Examples:\n"
       "  blysk model blinn --points points.csv --results -\n"

@@ -3,15 +3,15 @@
 
 #include <fmt/compile.h>
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <charconv>
 #include <cmath>
-#include <cstdlib>
-#include <limits>
 #include <string_view>
+#include <utility>
 
-#include "tb/cli/digits.h"
+#include "tb/read_number.h"
 
 namespace blysk::cli {
 namespace {
@@ -70,15 +70,6 @@ class elements {
   void* data_;
 };
 
-std::int64_t parse_integer(csv_reader& rows, std::size_t column, const field_range& range) {
-  const std::string_view field = rows.fields()[column];
-  std::int64_t value = 0;
-  const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
-  if (error != std::errc{} || end != field.data() + field.size() || value < range.low || value > range.high)
-    throw rows.error(column, range.expected());
-  return value;
-}
-
 /// The nearest code, ties up: x 2^f is exact, and its fraction too.
 std::int64_t nearest_code(double value, double scale) {
   const double scaled = value * scale;
@@ -86,74 +77,36 @@ std::int64_t nearest_code(double value, double scale) {
   return static_cast<std::int64_t>(whole) + (scaled - whole >= 0.5 ? 1 : 0);
 }
 
-double parse_real(csv_reader& rows, std::size_t column, const field_range& range) {
-  const std::string_view field = rows.fields()[column];
-  double value = 0;
-  auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
-  if (error ==
-      std::errc::result_out_of_range) {  // too large, or so small that it is 0: strtod tells them apart
-    value = std::strtod(std::string(field).c_str(), nullptr);
-    error = std::errc{};
-  }
-  if (error != std::errc{} || end != field.data() + field.size() ||
-      !(value >= range.real_low && value <= range.real_high)) {
-    throw rows.error(column, range.expected());
-  }
-  return value;
+std::int64_t parse_integer(csv_reader& rows, std::size_t column, const field_range& range) {
+  const auto value = read_integer(rows.fields()[column]);
+  if (!value || *value < range.low || *value > range.high) throw rows.error(column, range.expected());
+  return *value;
 }
 
-/// Reads the digits before `end`; false if there is anything else.
-bool take(const char*& at, char end, std::int64_t& value) {
-  const short_number number = read_short(at, end);
-  value = number.value;
-  at += number.digits + 1;
-  return number.digits != 0;
-}
-
-/// Reads "0.5" before `end`, and the like: one digit, a point, up to seven digits.
-bool take_real(const char*& at, char end, double& value) {
-  static constexpr std::array<std::uint32_t, 8> powers_of_ten{1,      10,      100,       1000,
-                                                              10'000, 100'000, 1'000'000, 10'000'000};
-  const auto whole = static_cast<std::uint32_t>(at[0] - '0');
-  if (whole > 9 || at[1] != '.') return false;
-  const short_number decimals = read_short(at + 2, end);
-  const std::uint32_t unit = powers_of_ten[decimals.digits];
-  value = static_cast<double>(whole * unit + decimals.value) / unit;  // rounded once, as the whole field is
-  at += 2 + decimals.digits + 1;
-  return decimals.digits != 0;
-}
-
-/// A row without blanks whose numbers are short, as most are; false, and nothing said, for any other.
+/// A row as a program writes it, in the order of the columns and without blanks; false, and nothing said, for any other.
 bool parse_plain_row(std::string_view text, const std::vector<field_range>& ranges, std::size_t row,
                      const std::vector<elements>& block) {
   const char* at = text.data();
   const char* const end = at + text.size();
+  const auto take = [&](auto& value) {
+    const auto [next, error] = std::from_chars(at, end, value);
+    at = next;
+    return error == std::errc{};
+  };
   for (std::size_t i = 0; i < ranges.size(); ++i) {
     const field_range& range = ranges[i];
-    const char separator = i + 1 < ranges.size() ? ',' : *end;
+    if (i > 0 && (at == end || *at++ != ',')) return false;
     std::int64_t code = 0;
     if (range.frac == 0) {
-      if (!take(at, separator, code) || code < range.low || code > range.high) return false;
+      if (!take(code) || code < range.low || code > range.high) return false;
     } else {
       double value = 0;
-      if (!take_real(at, separator, value) || value < range.real_low || value > range.real_high) return false;
+      if (!take(value) || !(value >= range.real_low && value <= range.real_high)) return false;
       code = nearest_code(value, range.scale);
     }
     block[i].put(row, code);
   }
-  return at == end + 1;
-}
-
-/// Any row, field by field.
-/// \throws usage_error if it is wrong
-void parse_row(csv_reader& rows, const std::vector<field_range>& ranges, std::size_t row,
-               const std::vector<elements>& block) {
-  for (std::size_t i = 0; i < ranges.size(); ++i) {
-    const std::int64_t code = ranges[i].frac == 0
-                                  ? parse_integer(rows, i, ranges[i])
-                                  : nearest_code(parse_real(rows, i, ranges[i]), ranges[i].scale);
-    block[i].put(row, code);
-  }
+  return at == end;
 }
 
 /// Room for a field: 20 integer and 36 fraction digits with sign, point and separator, or 3 + 17 digits with an exponent,
@@ -251,16 +204,58 @@ std::string results_header(const std::vector<port>& ports) {
   return stimulus_header(ports) + "," + column_names(ports, port::role::result);
 }
 
-void read_block(csv_reader& rows, const std::vector<port>& ports, columns& block) {
-  std::vector<field_range> ranges;
-  for (const port& each : of_role(ports, port::role::data)) ranges.emplace_back(*each.carries);
-  if (block.width() != ranges.size()) block = columns(ports, port::role::data);
+class stimulus_reader::row_parser {
+ public:
+  row_parser(const std::vector<port>& ports, bool clamps) : clamps_(clamps) {
+    for (const port& each : of_role(ports, port::role::data)) ranges_.emplace_back(*each.carries);
+  }
+
+  std::size_t width() const { return ranges_.size(); }
+  std::uint64_t clamped() const { return clamped_; }
+
+  /// \throws usage_error if the row is wrong
+  void parse(csv_reader& rows, std::size_t row, const std::vector<elements>& block) {
+    if (rows.is_plain() && parse_plain_row(rows.text(), ranges_, row, block)) return;
+    for (std::size_t i = 0; i < ranges_.size(); ++i) {
+      const field_range& range = ranges_[i];
+      block[i].put(row, range.frac == 0 ? parse_integer(rows, i, range)
+                                        : nearest_code(parse_real(rows, i, range), range.scale));
+    }
+  }
+
+ private:
+  double parse_real(csv_reader& rows, std::size_t column, const field_range& range) {
+    const auto value = read_real(rows.fields()[column]);
+    if (value && *value >= range.real_low && *value <= range.real_high) return *value;
+    const bool is_near =
+        value && *value >= range.real_low - kClampReach && *value <= range.real_high + kClampReach;
+    if (!is_near) throw rows.error(column, range.expected());
+    if (!clamps_) throw rows.error(column, range.expected() + ", or --clamp, which takes the nearest");
+    ++clamped_;
+    return std::clamp(*value, range.real_low, range.real_high);
+  }
+
+  std::vector<field_range> ranges_;
+  bool clamps_;
+  std::uint64_t clamped_ = 0;
+};
+
+stimulus_reader::stimulus_reader(csv_reader& rows, std::vector<port> ports, bool clamps)
+    : rows_(rows), ports_(std::move(ports)), parser_(std::make_unique<row_parser>(ports_, clamps)) {}
+
+stimulus_reader::~stimulus_reader() = default;
+
+std::uint64_t stimulus_reader::clamped() const {
+  return parser_->clamped();
+}
+
+void stimulus_reader::read(columns& block) {
+  if (block.width() != parser_->width()) block = columns(ports_, port::role::data);
   block.resize(kRowsPerBlock);
   const std::vector<elements> places(block.begin(), block.end());
   std::size_t size = 0;
-  for (; size < kRowsPerBlock && rows.next(); ++size) {
-    if (!parse_plain_row(rows.text(), ranges, size, places)) parse_row(rows, ranges, size, places);
-  }
+  while (size < kRowsPerBlock && (size == 0 ? rows_.next() : rows_.next_at_hand()))
+    parser_->parse(rows_, size++, places);
   block.resize(size);
 }
 

@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 
 #include <cstddef>
+#include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -26,10 +28,34 @@ struct row_block {
 std::string stimulus_header(const std::vector<port>& ports);
 std::string results_header(const std::vector<port>& ports);
 
-/// Reads up to kRowsPerBlock rows; no rows at the end of the file. A port without fraction bits takes integers, another
-/// one real numbers, which are rounded to its fraction bits, ties up.
-/// \throws usage_error if a field is no number or outside the legal range of its port
-void read_block(csv_reader& rows, const std::vector<port>& ports, columns& block);
+/// Reads the stimuli of a device in blocks.
+class stimulus_reader {
+ public:
+  /// \param rows    a file with the device's stimulus columns; outlives this
+  /// \param clamps  real numbers not more than kClampReach outside the range of their port become its end
+  stimulus_reader(csv_reader& rows, std::vector<port> ports, bool clamps = false);
+  ~stimulus_reader();
+  stimulus_reader(const stimulus_reader&) = delete;
+  stimulus_reader& operator=(const stimulus_reader&) = delete;
+
+  /// Reads up to kRowsPerBlock rows, fewer where the next would have to be waited for; no rows at the end of the file.
+  /// A port without fraction bits takes integers, another one real numbers, which are rounded to its fraction bits, ties
+  /// up.
+  /// \throws usage_error if a field is no number or outside the legal range of its port
+  void read(columns& block);
+
+  const std::vector<port>& ports() const { return ports_; }
+
+  /// How many numbers were outside and became an end of their range.
+  std::uint64_t clamped() const;
+
+ private:
+  class row_parser;
+
+  csv_reader& rows_;
+  std::vector<port> ports_;
+  std::unique_ptr<row_parser> parser_;
+};
 
 /// Appends a row for each stimulus with its results. Raw integers are exact, without trailing zeros; real ones are as short
 /// as they can be read back.

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -14,6 +16,7 @@
 #include "tb/device_arguments.h"
 #include "tb/harness/systemc_engine.h"
 #include "tb/output_file.h"
+#include "tb/progress.h"
 
 namespace blysk::cli {
 namespace {
@@ -22,7 +25,15 @@ struct options {
   asked_device device;
   std::string engine = "bit";
   std::string stimulus, results, vcd;
+  bool clamps = false;
   bool json = false;
+};
+
+/// What the summary tells of a run.
+struct outcome {
+  std::uint64_t rows = 0;
+  std::uint64_t clamped = 0;
+  double seconds = 0;
 };
 
 void check(const options& asked) {
@@ -33,10 +44,12 @@ void check(const options& asked) {
   }
 }
 
-void report(const options& asked, const selection& device, std::uint64_t rows,
+void report(const options& asked, const selection& device, const outcome& run,
             const clocked_engine* clocked) {
-  nlohmann::ordered_json json{
-      {"device", device.of().name()}, {"format", device.format()}, {"engine", asked.engine}, {"rows", rows}};
+  nlohmann::ordered_json json{{"device", device.of().name()},
+                              {"format", device.format()},
+                              {"engine", asked.engine},
+                              {"rows", run.rows}};
   for (const option& each : device.of().options()) {
     std::string key = each.name;
     std::ranges::replace(key, '-', '_');
@@ -46,16 +59,24 @@ void report(const options& asked, const selection& device, std::uint64_t rows,
       json[key] = device.value(each.name);
     }
   }
-  std::string text = fmt::format("{} rows through {} {}, engine {}", rows, device.of().name(),
+  std::string text = fmt::format("{} rows through {} {}, engine {}", run.rows, device.of().name(),
                                  device.format(), asked.engine);
+  if (asked.clamps) {
+    json["clamped"] = run.clamped;
+    text += fmt::format(", {} clamped", run.clamped);
+  }
+  const double rate = run.seconds > 0 ? static_cast<double>(run.rows) / run.seconds : 0;
+  json["seconds"] = run.seconds;
+  json["rows_per_second"] = rate;
   if (clocked != nullptr) {
     const auto cycles = clocked->cycles();
     const double simulated_ns = static_cast<double>(cycles) * harness::kClockPeriodNs;
     json["cycles"] = cycles;
     json["writes"] = clocked->writes();
     json["simulated_ns"] = simulated_ns;
-    text += fmt::format(": {} clock cycles, {} ns simulated", cycles, simulated_ns);
+    text += fmt::format(", {} clock cycles, {} ns simulated", cycles, simulated_ns);
   }
+  text += fmt::format(": {:.2f} s, {:.0f} rows/s", run.seconds, rate);
   fmt::print(asked.results == "-" ? stderr : stdout, "{}\n", asked.json ? json.dump(2) : text);
 }
 
@@ -76,8 +97,22 @@ void run(const options& asked) {
     if (path.empty()) throw file_error(asked.vcd, 0, "is no regular file, expected one to write");
     systemc->trace(path.substr(0, path.size() - ending.size()));
   }
-  const std::uint64_t count = stream(
-      rows, ports, [&](row_block& block) { simulated->run(block.writes, block.computed); }, results);
+  outcome done;
+  {
+    const bool mixes_with_results = asked.results == "-" && isatty(STDOUT_FILENO) == 1;
+    progress shown("simulate: bytes read", rows.file_size(), !mixes_with_results);
+    const auto start = std::chrono::steady_clock::now();
+    stimulus_reader stimulus(rows, ports, asked.clamps);
+    done.rows = stream(
+        stimulus,
+        [&](row_block& block) {
+          simulated->run(block.writes, block.computed);
+          shown.reach(rows.bytes_read());
+        },
+        results);
+    done.clamped = stimulus.clamped();
+    done.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  }
   results.close();
   if (waves) {
     if (!systemc->stop_trace()) {
@@ -86,7 +121,7 @@ void run(const options& asked) {
     waves->commit();
   }
   results.commit();
-  report(asked, device, count, dynamic_cast<const clocked_engine*>(simulated.get()));
+  report(asked, device, done, dynamic_cast<const clocked_engine*>(simulated.get()));
 }
 
 }  // namespace
@@ -102,13 +137,17 @@ void add_simulate(CLI::App& program) {
   verb->add_option(
           "--stimulus", asked->stimulus,
           "CSV of the device's stimulus, see blysk list: n 1..1000, cos in [0, 1], colours 0..255 under the "
-          "header n,cos,r,g,b; - for standard input")
+          "header n,cos,r,g,b; other columns are passed over; - for standard input")
       ->required();
   verb->add_option(
           "--results", asked->results,
           "CSV to write: the stimulus as the device takes it, and the results; - for standard output")
       ->required();
   verb->add_option("--vcd", asked->vcd, "record the waves (engine systemc)");
+  verb->add_flag(
+      "--clamp", asked->clamps,
+      "take real numbers not more than 2^-23 outside their range, as rounding leaves them, for its end; the "
+      "summary counts them");
   verb->add_flag("--json", asked->json, "print the summary as JSON");
   verb->footer(
       "Examples:\n"

@@ -8,8 +8,8 @@
 
 namespace blysk::cli {
 
-std::uint64_t stream(csv_reader& stimulus, const std::vector<port>& ports,
-                     const std::function<void(row_block&)>& compute, output_file& results) {
+std::uint64_t stream(stimulus_reader& stimulus, const std::function<void(row_block&)>& compute,
+                     output_file& results) {
   constexpr std::size_t kBlocks = 4;  // so that neither side waits for a thread to wake up
   std::array<row_block, kBlocks> ring;
   std::counting_semaphore<kBlocks> empty(kBlocks);
@@ -19,13 +19,15 @@ std::uint64_t stream(csv_reader& stimulus, const std::vector<port>& ports,
   auto writing = std::async(std::launch::async, [&] {
     try {
       fmt::memory_buffer text;
-      fmt::format_to(std::back_inserter(text), "{}\n", results_header(ports));
+      fmt::format_to(std::back_inserter(text), "{}\n", results_header(stimulus.ports()));
       for (std::size_t k = 0;; ++k) {
         full.acquire();
         const row_block& block = ring[k % kBlocks];
-        append_rows(text, ports, block);
+        append_rows(text, stimulus.ports(), block);
         results.write({text.data(), text.size()});
         text.clear();
+        if (block.writes.size() < kRowsPerBlock)
+          results.flush();  // somebody may wait for these before he goes on
         if (block.writes.size() == 0) return;
         empty.release();
       }
@@ -45,7 +47,7 @@ std::uint64_t stream(csv_reader& stimulus, const std::vector<port>& ports,
     if (failed) break;
     row_block& block = ring[k % kBlocks];
     try {
-      read_block(stimulus, ports, computed.writes);
+      stimulus.read(computed.writes);
       if (computed.writes.size() != 0) compute(computed);
       block = computed;
     } catch (...) {

@@ -11,11 +11,10 @@
 namespace blysk::cli {
 
 /// Writes the header and a row for each of the stimulus, in a thread of its own beside reading and `compute`, which run
-/// in the calling one.
-/// \param ports  of the device
+/// in the calling one. Rows that were read are computed and handed on before more input is waited for.
 /// \return  how many rows there were
 /// \throws usage_error if the stimulus is wrong or the results cannot be written; they are then not complete
-std::uint64_t stream(csv_reader& stimulus, const std::vector<port>& ports,
-                     const std::function<void(row_block&)>& compute, output_file& results);
+std::uint64_t stream(stimulus_reader& stimulus, const std::function<void(row_block&)>& compute,
+                     output_file& results);
 
 }  // namespace blysk::cli

@@ -14,7 +14,7 @@ std::string core_text(const std::string& name, const std::string& what, const fi
   return fmt::format(
       "CAPI=2:\n"
       "# SPDX-License-Identifier: Apache-2.0\n"
-      "name: blysk:devices:{0}\n"
+      "name: blysk:devices:{0}:{3}\n"
       "description: \"{1}\"\n"
       "filesets:\n"
       "  rtl:\n"
@@ -27,7 +27,7 @@ std::string core_text(const std::string& name, const std::string& what, const fi
       "      - {0}.sdc\n"
       "targets:\n"
       "  default:\n"
-      "    filesets: [rtl, constraints]\n"
+      "    filesets: [rtl, 'is_toplevel? (constraints)']\n"  // a core that depends on this one has its own
       "    toplevel: {0}\n"
       "  lint:\n"
       "    default_tool: verilator\n"
@@ -37,7 +37,7 @@ std::string core_text(const std::string& name, const std::string& what, const fi
       "        mode: lint-only\n"
       "        verilator_options: [-Wall]\n"
       "    toplevel: {0}\n",
-      name, what, list);
+      name, what, list, BLYSK_VERSION);
 }
 
 std::string constraints_text(const netlist::elaborated& device) {

@@ -25,6 +25,15 @@ foreach line [split [text $top.core] \n] {
   if {[regexp {^      - (\S+)$} $line -> name]} {lappend files $name}
   if {[regexp {^ *toplevel: (.*)$} $line -> name]} {expect "$top.core, toplevel" $name $top}
 }
+# What a core that depends on this one gets: modules, no clock of ours.
+regexp {\n  default:\n    filesets: \[([^\n]*)\]\n} [text $top.core] -> filesets
+foreach fileset [split $filesets ,] {
+  if {[string match {*is_toplevel\? (*)*} $fileset]} continue
+  expect "$top.core, target default for dependants" [string trim $fileset] rtl
+}
+regexp -line {^name: (.*)$} [text $top.core] -> name
+if {![regexp "^blysk:devices:$top:\\d+\\.\\d+\\.\\d+\$" $name]} {expect "$top.core, name" $name "blysk:devices:$top:VERSION"}
+
 expect "$top.core, first line" [lindex [split [text $top.core] \n] 0] CAPI=2:
 expect "$top.core" $files [concat $modules $top.sdc]
 expect folder [glob -directory $folder -tails *] [concat $modules $top.f $top.core $top.sdc]

@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // The program as its users start it: results, and one clear line for everything that is wrong with an input.
 #include <fmt/format.h>
+#include <poll.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <csignal>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tb/catch.h"
@@ -139,6 +144,171 @@ TEST_CASE("simulate tolerates CRLF, a byte order mark, blanks and empty lines", 
   REQUIRE(run_blysk(folder, simulate(plain, folder.path("a.csv"))).status == 0);
   REQUIRE(run_blysk(folder, simulate(odd, folder.path("b.csv"))).status == 0);
   CHECK(slurp(folder.path("a.csv")) == slurp(folder.path("b.csv")));
+}
+
+TEST_CASE("a table as other programs write it is read", "[cli]") {
+  const scratch folder;
+  const std::string plain = folder.write("plain.csv", "n,cos,r,g,b\n10,0.99,200,100,50\n1000,1,255,0,1\n");
+  REQUIRE(run_blysk(folder, simulate(plain, folder.path("plain-results.csv"))).status == 0);
+  const std::string expected = slurp(folder.path("plain-results.csv"));
+  const auto [name, text] = GENERATE_COPY(table<std::string, std::string>(
+      {{"numpy.savetxt",
+        "# n,cos,r,g,b\n1.000e+01,9.900e-01,2.000e+02,1.000e+02,5.000e+01\n"
+        "1.000e+03,1.000e+00,2.550e+02,0.000e+00,1.000e+00\n"},
+       {"numpy.savetxt, its delimiter",
+        "# n cos r g b\n1.0e+01 9.9e-01 2.0e+02 1.0e+02 5.0e+01\n1e3 1e0 2.55e2 0 1\n"},
+       {"pandas, with its index", ",n,cos,r,g,b\n0,10,0.99,200,100,50\n1,1000,1.0,255,0,1\n"},
+       {"R", "\"\",\"n\",\"cos\",\"r\",\"g\",\"b\"\n\"1\",10,0.99,200,100,50\n\"2\",1000,1,255,0,1\n"},
+       {"all fields quoted",
+        "n,cos,r,g,b\n\"10\",\"0.99\",\"200\",\"100\",\"50\"\n\"1000\", \"1\" ,255,0,1\n"},
+       {"a spreadsheet's export",
+        "\xEF\xBB\xBFn;cos;r;g;b;\r\n10;0.99;200;100;50;\r\n1000;1;255;0;1;\r\n;;;;;\r\n"},
+       {"tabs", "n\tcos\tr\tg\tb\n10\t0.99\t200\t100\t50\n1000\t1\t255\t0\t1\n"},
+       {"floats for integers", "n,cos,r,g,b\n10.0,0.99,200.0,1e2,50.00\n1000.,1.0,255.0,0.0,1.0\n"},
+       {"signs", "n,cos,r,g,b\n+10,+.99,+200,+100,+5e1\n+1e3,+1,+255,-0,1\n"},
+       {"comments", "# made today\n#\nn,cos,r,g,b\n10,0.99,200,100,50\n# half\n1000,1,255,0,1\n#"},
+       {"a header twice, behind # and plain",
+        "# columns: n cos r g b\n# n,cos,r,g,b\nn,cos,r,g,b\n10,0.99,200,100,50\n1000,1,255,0,1\n"},
+       {"a comma at the end of lines", "n,cos,r,g,b,\n10,0.99,200,100,50,\n1000,1,255,0,1,,\n"},
+       {"columns in another order, and others",
+        "b,g,why,r,cos,n\n50,100,\"a, b\",200,0.99,10\n1,0,,255,1,1000\n"},
+       {"own results", expected}}));
+  CAPTURE(name, text);
+  const std::string in = folder.write("in.csv", text);
+  const outcome done = run_blysk(folder, simulate(in, folder.path("out.csv")));
+  CAPTURE(done.err);
+  REQUIRE(done.status == 0);
+  CHECK(slurp(folder.path("out.csv")) == expected);
+}
+
+TEST_CASE("a table whose meaning is not clear is refused", "[cli]") {
+  const scratch folder;
+  const auto [text, message] = GENERATE(table<std::string, std::string>(
+      {{"n,cos,r,g,b,n\n", ":1: header is 'n,cos,r,g,b,n', expected n,cos,r,g,b"},
+       {"# n,cos,r,g\n1,0,1,1\n", ":2: header is '1,0,1,1', expected n,cos,r,g,b"},
+       {"# nothing\n", ":1: is no header, expected n,cos,r,g,b"},
+       {"n,cos,r,g,b\n10.5,0.5,1,2,3\n", ":2: n is '10.5', expected an integer 1..1000"},
+       {"n,cos,r,g,b\n1e400,0.5,1,2,3\n", ":2: n is '1e400', expected an integer 1..1000"},
+       {"n,cos,r,g,b\n+-10,0.5,1,2,3\n", ":2: n is '+-10', expected an integer 1..1000"},
+       {"n;cos;r;g;b\n10;0,5;1;2;3\n", ":2: cos is '0,5', expected a real number in [0, 1]"},
+       {"n,cos,r,g,b\n\"10,0.5,1,2,3\n", ":2: row '\"10,0.5,1,2,3' has a quote out of place"},
+       {"n,cos,r,g,b\n\"10\"x,0.5,1,2,3\n", ":2: row '\"10\"x,0.5,1,2,3' has a quote out of place"},
+       {"n,cos,r,g,b\n\"1\"\"\",0.5,1,2,3\n", ":2: n is '1\"', expected an integer 1..1000"},
+       {"n,cos,r,g,b,\n10,0.5,1,2,3,4\n", ":2: row has 6 fields, expected 5: n,cos,r,g,b"},
+       {"x,n,cos,r,g,b\n10,0.5,1,2,3\n", ":2: row has 5 fields, expected 6: x,n,cos,r,g,b"},
+       {"n,cos,r,g,b\n10,0.5,1,2,3 # why\n", ":2: b is '3 # why', expected an integer 0..255"}}));
+  CAPTURE(text);
+  const std::string in = folder.write("in.csv", text);
+  const outcome failed = run_blysk(folder, simulate(in, folder.path("out.csv")));
+  CHECK(failed.status == 2);
+  CAPTURE(failed.err);
+  CHECK(failed.err.starts_with("blysk: " + in + message));
+  CHECK(std::count(failed.err.begin(), failed.err.end(), '\n') == 1);
+  CHECK(folder.names() == std::vector<std::string>{"in.csv"});
+}
+
+TEST_CASE("with --clamp is taken what rounding leaves outside [0, 1], and counts it", "[cli]") {
+  const scratch folder;
+  const std::string out = folder.path("out.csv");
+  const std::string in =
+      folder.write("in.csv",
+                   "n,cos,r,g,b\n10,1.0000000000000002,1,2,3\n10,1.00000011920928955078125,1,2,3\n"
+                   "10,-1.1920928955078125e-7,1,2,3\n10,-1e-400,1,2,3\n10,1,1,2,3\n10,0.5,1,2,3\n");
+  const outcome done = run_blysk(folder, simulate(in, out, "--clamp --json"));
+  REQUIRE(done.status == 0);
+  CHECK(nlohmann::json::parse(done.out)["clamped"] == 3);  // -1e-400 is 0
+  CHECK(slurp(out).find("10,1,1,2,3,1,1,2,3\n10,1,1,2,3,1,1,2,3\n10,0,1,2,3,0,0,0,0\n10,0,1,2,3,0,0,0,0\n") !=
+        std::string::npos);
+  CHECK(run_blysk(folder, simulate(in, out, "--clamp")).out.find(", 3 clamped") != std::string::npos);
+  const outcome refused = run_blysk(folder, simulate(in, out));
+  CHECK(refused.status == 2);
+  CHECK(refused.err ==
+        "blysk: " + in +
+            ":2: cos is '1.0000000000000002', expected a real number in [0, 1], or --clamp, which "
+            "takes the nearest\n");
+  for (const std::string cosine : {"1.0000001192092898", "-1.1920928955078127e-7", "1.5", "nan", "inf"}) {
+    CAPTURE(cosine);
+    folder.write("in.csv", "n,cos,r,g,b\n10," + cosine + ",1,2,3\n");
+    const outcome failed = run_blysk(folder, simulate(in, out, "--clamp"));
+    CHECK(failed.status == 2);
+    CHECK(failed.err == "blysk: " + in + ":2: cos is '" + cosine + "', expected a real number in [0, 1]\n");
+  }
+  const std::string points = folder.write("points.csv", "# n cos\n2 1.0000001\n2.0 0.5\n");
+  const outcome model = run_blysk(folder, "model blinn --clamp --points " + quoted(points) + " --results -");
+  CHECK(model.out == "n,cos,value\n2,1.0000001,1\n2.0,0.5,0.25\n");
+  CHECK(model.err == "1 clamped\n");
+  CHECK(run_blysk(folder, "model blinn --points " + quoted(points) + " --results -").status == 2);
+}
+
+/// A program with which a bench talks row by row.
+class conversation {
+ public:
+  explicit conversation(const std::string& arguments) {
+    std::array<int, 2> in{}, out{};
+    if (pipe(in.data()) != 0 || pipe(out.data()) != 0) throw std::runtime_error("no pipe");
+    child_ = fork();
+    if (child_ == 0) {
+      dup2(in[0], STDIN_FILENO);
+      dup2(out[1], STDOUT_FILENO);
+      for (const int each : {in[0], in[1], out[0], out[1]}) close(each);
+      const std::string command = "exec " + quoted(BLYSK_PROGRAM) + " " + arguments + " 2>/dev/null";
+      execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);
+      _exit(127);
+    }
+    close(in[0]);
+    close(out[1]);
+    to_ = in[1];
+    from_ = out[0];
+  }
+  ~conversation() {
+    finish();
+    close(from_);
+  }
+  conversation(const conversation&) = delete;
+  conversation& operator=(const conversation&) = delete;
+
+  void say(const std::string& text) const {
+    REQUIRE(write(to_, text.data(), text.size()) == static_cast<ssize_t>(text.size()));
+  }
+
+  /// Waits for a line; empty if none comes for ten minutes.
+  std::string line() const {
+    std::string text;
+    for (char c = 0; c != '\n'; text += c) {
+      pollfd asked{from_, POLLIN, 0};
+      if (poll(&asked, 1, 600'000) <= 0 || read(from_, &c, 1) != 1) return {};
+    }
+    return text;
+  }
+
+  int finish() {
+    if (child_ == -1) return -1;
+    close(to_);
+    int status = 0;
+    waitpid(std::exchange(child_, -1), &status, 0);
+    return status;
+  }
+
+ private:
+  pid_t child_ = -1;
+  int to_ = -1, from_ = -1;
+};
+
+TEST_CASE("a bench that writes a row and waits gets its row", "[cli]") {
+  const std::string engine = GENERATE("golden", "bit", "systemc", "verilator");
+  conversation bench("simulate --format q8 --stimulus - --results - --engine " + engine);
+  bench.say("n,cos,r,g,b\n10,0.5,1,2,3\n");
+  CHECK(bench.line() == "n,cos,r,g,b,brdf,red,green,blue\n");
+  CHECK(bench.line() == "10,0.5,1,2,3,0,0,0,0\n");
+  bench.say("10,1,1,2,3\n# that is all\n");
+  CHECK(bench.line() == "10,1,1,2,3,1,1,2,3\n");
+  CHECK(bench.finish() == 0);
+
+  conversation points("model blinn --points - --results -");
+  points.say("n,cos\n2,0.5\n");
+  CHECK(points.line() == "n,cos,value\n");
+  CHECK(points.line() == "2,0.5,0.25\n");
+  CHECK(points.finish() == 0);
 }
 
 TEST_CASE("simulate reads a pipe and writes one", "[cli]") {

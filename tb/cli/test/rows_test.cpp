@@ -71,11 +71,12 @@ TEST_CASE("rows are read as the C library reads their numbers", "[cli]") {
   }
   text.pop_back();  // no end of line at the end
   const std::vector<port> ports = ports_of("q24");
-  csv_reader reader(folder.write("in.csv", text), stimulus_header(ports));
+  csv_reader rows(folder.write("in.csv", text), stimulus_header(ports));
+  stimulus_reader reader(rows, ports);
   constexpr int fraction = 24;
   columns block;
   std::size_t i = 0;
-  for (read_block(reader, ports, block); block.size() != 0; read_block(reader, ports, block)) {
+  for (reader.read(block); block.size() != 0; reader.read(block)) {
     for (std::size_t k = 0; k < block.size(); ++k, ++i) {
       const row& made = expected.at(i);
       const double scaled = std::ldexp(std::strtod(made.cosine.c_str(), nullptr), fraction);
@@ -102,7 +103,9 @@ TEST_CASE("rows that look plain and are wrong are refused", "[cli]") {
       {"1:,0.5,1,2,3", "n is '1:', expected an integer 1..1000"},
       {"1/,0.5,1,2,3", "n is '1/', expected an integer 1..1000"},
       {"\xB1,0.5,1,2,3", "n is '\\xB1', expected an integer 1..1000"},
-      {"1,1.0000001,1,2,3", "cos is '1.0000001', expected a real number in [0, 1]"},
+      {"1,1.0000001,1,2,3",
+       "cos is '1.0000001', expected a real number in [0, 1], or --clamp, which takes the nearest"},
+      {"1,1.000001,1,2,3", "cos is '1.000001', expected a real number in [0, 1]"},
       {"1,2.0,1,2,3", "cos is '2.0', expected a real number in [0, 1]"},
       {"1,0.5x,1,2,3", "cos is '0.5x', expected a real number in [0, 1]"},
       {"1,0.,5,1,2,3", "row has 6 fields, expected 5: n,cos,r,g,b"},
@@ -120,7 +123,8 @@ TEST_CASE("rows that look plain and are wrong are refused", "[cli]") {
     csv_reader reader(folder.write("in.csv", fmt::format("n,cos,r,g,b\n7,0.7,7,7,7\n{}{}", row, end)),
                       "n,cos,r,g,b");
     columns block;
-    CHECK_THROWS_WITH(read_block(reader, ports_of("q8"), block), folder.path("in.csv") + ":3: " + message);
+    CHECK_THROWS_WITH(stimulus_reader(reader, ports_of("q8")).read(block),
+                      folder.path("in.csv") + ":3: " + message);
   }
 }
 
@@ -184,7 +188,7 @@ TEST_CASE("a cosine is rounded to its nearest code, ties up", "[cli]") {
   CAPTURE(text);
   csv_reader reader(folder.write("in.csv", "n,cos,r,g,b\n1," + text + ",1,2,3\n"), stimulus_header(ports));
   columns block;
-  read_block(reader, ports, block);
+  stimulus_reader(reader, ports).read(block);
   REQUIRE(block.size() == 1);
   CHECK(block[1].get(0) == code);
 }
@@ -194,7 +198,7 @@ TEST_CASE("a cosine that is too large for a double is outside its range", "[cli]
   const std::vector<port> ports = ports_of("q8");
   csv_reader reader(folder.write("in.csv", "n,cos,r,g,b\n1,1e400,1,2,3\n"), stimulus_header(ports));
   columns block;
-  CHECK_THROWS_WITH(read_block(reader, ports, block),
+  CHECK_THROWS_WITH(stimulus_reader(reader, ports).read(block),
                     folder.path("in.csv") + ":2: cos is '1e400', expected a real number in [0, 1]");
 }
 
@@ -208,10 +212,11 @@ std::string stimulus() {
 TEST_CASE("rows stream through in their order", "[cli]") {
   const scratch folder;
   const std::vector<port> ports = ports_of("q8");
-  csv_reader reader(folder.write("in.csv", stimulus()), stimulus_header(ports));
+  csv_reader rows(folder.write("in.csv", stimulus()), stimulus_header(ports));
+  stimulus_reader reader(rows, ports);
   output_file file(folder.path("out.csv"));
-  const auto rows = stream(
-      reader, ports,
+  const auto count = stream(
+      reader,
       [](row_block& block) {
         block.computed = columns(std::vector<storage>(4, storage::f64));
         block.computed.resize(block.writes.size());
@@ -223,7 +228,7 @@ TEST_CASE("rows stream through in their order", "[cli]") {
       },
       file);
   file.commit();
-  CHECK(rows == kRows);
+  CHECK(count == kRows);
   const auto lines = lines_of(slurp(folder.path("out.csv")));
   REQUIRE(lines.size() == kRows + 1);
   CHECK(lines[0] == "n,cos,r,g,b,brdf,red,green,blue");
@@ -243,30 +248,33 @@ TEST_CASE("what goes wrong in either thread ends the stream", "[cli]") {
     block.computed.resize(block.writes.size());
   };
   SECTION("in the stimulus") {
-    csv_reader reader(folder.write("in.csv", stimulus() + "bad\n"), stimulus_header(ports));
+    csv_reader rows(folder.write("in.csv", stimulus() + "bad\n"), stimulus_header(ports));
+    stimulus_reader reader(rows, ports);
     output_file file(folder.path("out.csv"));
     CHECK_THROWS_WITH(
-        stream(reader, ports, nothing, file),
+        stream(reader, nothing, file),
         folder.path("in.csv") + fmt::format(":{}: row has 1 fields, expected 5: n,cos,r,g,b", kRows + 2));
   }
   SECTION("in the engine") {
-    csv_reader reader(folder.write("in.csv", stimulus()), stimulus_header(ports));
+    csv_reader rows(folder.write("in.csv", stimulus()), stimulus_header(ports));
+    stimulus_reader reader(rows, ports);
     output_file file(folder.path("out.csv"));
     int blocks = 0;
     const auto fail_later = [&](row_block& block) {
       nothing(block);
       if (++blocks == 3) throw usage_error("no more");
     };
-    CHECK_THROWS_WITH(stream(reader, ports, fail_later, file), "no more");
+    CHECK_THROWS_WITH(stream(reader, fail_later, file), "no more");
   }
   SECTION("in the results, long before the stimulus ends") {
     std::string many = stimulus();
     for (int i = 0; i < 4; ++i) many += many.substr(many.find('\n') + 1);
-    csv_reader reader(folder.write("in.csv", many), stimulus_header(ports));
+    csv_reader rows(folder.write("in.csv", many), stimulus_header(ports));
+    stimulus_reader reader(rows, ports);
     output_file file("/dev/full");
-    CHECK_THROWS_WITH(stream(reader, ports, nothing, file),
+    CHECK_THROWS_WITH(stream(reader, nothing, file),
                       "/dev/full:1: cannot be written (No space left on device)");
-    CHECK(reader.next());
+    CHECK(rows.next());
   }
 }
 

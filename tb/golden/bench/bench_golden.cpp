@@ -11,6 +11,7 @@
 
 #include "tb/golden/lobe.h"
 #include "tb/golden/sphere.h"
+#include "tb/run_program.h"
 
 namespace {
 
@@ -107,9 +108,7 @@ void bench_sphere(benchmark::State& state, lobe which) {
   count(state, pixels);
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int run(int argc, char** argv) {
   benchmark::RegisterBenchmark("std::pow", bench_pow);
   for (const auto& [which, name] : kLobes) {
     benchmark::RegisterBenchmark(("double/" + std::string(name)).c_str(), bench_lobe<double>, which);
@@ -122,4 +121,11 @@ int main(int argc, char** argv) {
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
   benchmark::RunSpecifiedBenchmarks();
   benchmark::Shutdown();
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return blysk::run_program("bench_golden", [&] { return run(argc, argv); });
 }
