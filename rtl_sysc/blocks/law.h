@@ -60,6 +60,12 @@ constexpr T add(T a, int a_shift, T b, int b_shift, T carry) {
   return (a << a_shift) + (b << b_shift) + carry;
 }
 
+/// x moved up by `shift` places, as wiring does.
+template <class T>
+constexpr T move_up(T x, int shift) {
+  return static_cast<T>(x << shift);
+}
+
 /// Ones' complement of a, moved up to the fraction bits of the result: -a - 1 ulp.
 template <class T>
 constexpr T ones_complement(T a, int shift) {
@@ -70,6 +76,24 @@ constexpr T ones_complement(T a, int shift) {
 template <class T>
 constexpr T clamp(T a, T low, T high) {
   return select(a < low, low, select(a < high, a, high));
+}
+
+/// True if a < b, the operands moved up to the fraction bits of the finer one.
+template <class T>
+constexpr T below(T a, int a_shift, T b, int b_shift) {
+  return static_cast<T>((a << a_shift) < (b << b_shift));
+}
+
+/// The sign bit of a number of `width` bits: 1 if a < 0.
+template <class T>
+constexpr T sign_bit(T a, int width) {
+  return static_cast<T>((a >> (width - 1)) & static_cast<T>(1));
+}
+
+/// a, or 0 where `off` is one: each bit through an AND gate.
+template <class T>
+constexpr T gate(T a, T off) {
+  return select(off, static_cast<T>(0), a);
 }
 
 /// True at the clock edge that ends a strobe: it was at one, it is at zero.

@@ -9,10 +9,11 @@ namespace blysk {
 
 /// Read-only memory as logic: y_o = contents[a_i], 0 beyond its end.
 ///
-/// Instances  rom6 of the prototype UA 22802, in the place of multiplier 6 and adder 15 of [P] fig. 1.
+/// Instances  rom6 of the prototype UA 22802, in the place of multiplier 6 and adder 15 of [P] fig. 1; rom33 and rom9 of
+///            [T] fig. 3.1.
 /// Formats    a_i: Index unsigned, y_o: Word.
-/// \tparam Contents  has static constexpr arrays `exact`, `derived` and `published` of std::int64_t, raw words; the
-///                   constructor's `which` chooses among them in this order, from 0
+/// \tparam Contents  has a static constexpr array `words` of arrays of std::int64_t, raw words; the constructor's `which`
+///                   chooses among them, from 0
 /// Timing     combinational.   Error  that of the words.
 template <class Index, class Word, class Contents>
 struct rom : sc_core::sc_module {
@@ -28,9 +29,7 @@ struct rom : sc_core::sc_module {
   template <class T>
   static constexpr T law(int which, T address) {
     using law::lookup;
-    return which == 0   ? lookup(Contents::exact, address)
-           : which == 1 ? lookup(Contents::derived, address)
-                        : lookup(Contents::published, address);
+    return lookup(Contents::words[static_cast<std::size_t>(which)], address);
   }
 
   template <class Reader>

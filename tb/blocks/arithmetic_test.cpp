@@ -5,10 +5,13 @@
 
 #include "rtl_sysc/blocks/add.h"
 #include "rtl_sysc/blocks/buffer.h"
+#include "rtl_sysc/blocks/compare.h"
 #include "rtl_sysc/blocks/constant.h"
 #include "rtl_sysc/blocks/inverter_bank.h"
+#include "rtl_sysc/blocks/key.h"
 #include "rtl_sysc/blocks/mul.h"
 #include "rtl_sysc/blocks/quantise.h"
+#include "rtl_sysc/blocks/sign.h"
 #include "tb/catch.h"
 
 // SystemC's own objects, compiled by g++, refer to parts of this class that clang leaves out at -O3 otherwise.
@@ -94,12 +97,13 @@ TEST_CASE("mul10 is exact at the ends of q24's formats", "[unit][mul]") {
   CHECK(mul<a, diff, product_of<a, diff>>::law(a::max, diff::min) == -(a::max << 33));
 }
 
-template <class A, class B, class S>
+/// \tparam CarryFrac  the carry weighs 2^-CarryFrac
+template <class A, class B, class S, int CarryFrac = S::frac>
 struct add_bench {
   explicit add_bench(const char* name) : block(name) {
     block.a_i(a), block.b_i(b), block.carry_i(carry), block.s_o(s);
   }
-  add<A, B, S> block;
+  add<A, B, S, CarryFrac> block;
   wire<A> a;
   wire<B> b;
   wire<uq<1, 0>> carry;
@@ -113,7 +117,7 @@ struct add_bench {
           b.write(y);
           carry.write(static_cast<unsigned>(c));
           settle();
-          const std::int64_t expected = rounded<S>(real<A>(x) + real<B>(y) + real<S>(c));
+          const std::int64_t expected = rounded<S>(real<A>(x) + real<B>(y) + std::ldexp(c, -CarryFrac));
           if (s.read().to_int64() != expected) {
             CAPTURE(x, y, c, s.read().to_int64(), expected);
             FAIL("add");
@@ -124,9 +128,11 @@ struct add_bench {
   }
 };
 
-add_bench<uq<1, 6>, sq<1, 6>, sq<2, 6>> aligned_add("aligned_add");  // as add9
-add_bench<sq<3, 5>, unit<3>, sq<4, 5>> shifted_add("shifted_add");   // as add11
-add_bench<uq<3, 4>, sq<0, 1>, sq<4, 4>> offset_add("offset_add");    // as add15
+add_bench<uq<1, 6>, sq<1, 6>, sq<2, 6>> aligned_add("aligned_add");             // as add9
+add_bench<sq<3, 5>, unit<3>, sq<4, 5>> shifted_add("shifted_add");              // as add11
+add_bench<uq<3, 4>, sq<0, 1>, sq<4, 4>> offset_add("offset_add");               // as add15
+add_bench<unit<5>, sq<0, 0>, sq<0, 5>> minus_one_add("minus_one_add");          // as add6 of [T] fig. 3.1
+add_bench<sq<3, 4>, uq<1, 0>, sq<4, 4>, 0> unity_carry_add("unity_carry_add");  // as its add8
 
 TEST_CASE("add is exact for all operands and both carries", "[unit][add]") {
   SECTION("same fraction bits") {
@@ -137,6 +143,20 @@ TEST_CASE("add is exact for all operands and both carries", "[unit][add]") {
   }
   SECTION("half a unit") {
     offset_add.check_all();
+  }
+  SECTION("a carry of unity") {
+    unity_carry_add.check_all();
+  }
+}
+
+TEST_CASE("all ones of weight 1 subtract 1", "[unit][add]") {
+  for (std::int64_t code = 0; code <= unit<5>::max; ++code) {
+    minus_one_add.a.write(code);
+    minus_one_add.b.write(-1);
+    minus_one_add.carry.write(0);
+    settle();
+    CAPTURE(code);
+    REQUIRE(minus_one_add.s.read().to_int64() == code - 32);
   }
 }
 
@@ -215,6 +235,79 @@ TEST_CASE("constant drives its bits, buffer follows its input", "[unit][constant
     strobe.a.write(level);
     settle();
     CHECK(strobe.y.read() == level);
+  }
+}
+
+template <class A, class B>
+struct compare_bench {
+  explicit compare_bench(const char* name) : block(name) { block.a_i(a), block.b_i(b), block.below_o(below); }
+  compare<A, B> block;
+  wire<A> a;
+  wire<B> b;
+  sc_core::sc_signal<bool> below;
+
+  void check_all() {
+    for (std::int64_t x = A::min; x <= A::max; ++x) {
+      for (std::int64_t y = B::min; y <= B::max; ++y) {
+        a.write(x);
+        b.write(y);
+        settle();
+        if (below.read() != (real<A>(x) < real<B>(y))) {
+          CAPTURE(x, y);
+          FAIL("compare");
+        }
+      }
+    }
+  }
+};
+
+compare_bench<uq<3, 4>, uq<-1, 4>> limit_compare("limit_compare");  // as cmp11 of [T] fig. 3.1
+compare_bench<sq<2, 2>, uq<2, 4>> signed_compare("signed_compare");
+
+TEST_CASE("compare says which number is less, for all operands", "[unit][compare]") {
+  SECTION("same fraction bits") {
+    limit_compare.check_all();
+  }
+  SECTION("aligned, signs mixed") {
+    signed_compare.check_all();
+  }
+}
+
+struct sign_bench {
+  explicit sign_bench(const char* name) : block(name) { block.a_i(a), block.negative_o(negative); }
+  sign<sq<3, 4>> block;
+  wire<sq<3, 4>> a;
+  sc_core::sc_signal<bool> negative;
+};
+
+struct key_bench {
+  explicit key_bench(const char* name) : block(name) { block.a_i(a), block.off_i(off), block.y_o(y); }
+  key<unit<6>> block;
+  wire<unit<6>> a, y;
+  sc_core::sc_signal<bool> off;
+};
+
+sign_bench sign_of_line("sign_of_line");
+key_bench key_block("key_block");
+
+TEST_CASE("sign tells negative numbers, for all of them", "[unit][sign]") {
+  for (std::int64_t x = sq<3, 4>::min; x <= sq<3, 4>::max; ++x) {
+    sign_of_line.a.write(x);
+    settle();
+    CAPTURE(x);
+    REQUIRE(sign_of_line.negative.read() == (x < 0));
+  }
+}
+
+TEST_CASE("a key block passes all bits or none", "[unit][key]") {
+  for (std::int64_t x = 0; x < 128; ++x) {
+    for (const bool off : {false, true}) {
+      key_block.a.write(x);
+      key_block.off.write(off);
+      settle();
+      CAPTURE(x, off);
+      REQUIRE(key_block.y.read().to_int64() == (off ? 0 : x));
+    }
   }
 }
 

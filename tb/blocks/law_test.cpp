@@ -109,3 +109,20 @@ TEST_CASE("clamp, select, lookup and trailing_edge", "[law]") {
     for (const bool before : {false, true}) CHECK(law::trailing_edge(now, before) == (before && !now));
   }
 }
+
+TEST_CASE("move_up, below, sign_bit and gate", "[law]") {
+  for (int a = -40; a <= 40; ++a) {
+    for (int shift = 0; shift <= 8; ++shift) {
+      CAPTURE(a, shift);
+      REQUIRE(law::move_up<std::int64_t>(a, shift) == std::int64_t{a} * (1 << shift));
+      for (int b = -40; b <= 40; ++b) {
+        REQUIRE(law::below<std::int64_t>(a, shift, b, 0) == (a * (1 << shift) < b ? 1 : 0));
+        REQUIRE(law::below<std::int32_t>(b, 0, a, shift) == (b < a * (1 << shift) ? 1 : 0));
+      }
+    }
+    REQUIRE(law::sign_bit<std::int32_t>(a, 7) == (a < 0 ? 1 : 0));
+    REQUIRE(law::sign_bit<std::int64_t>(a, 64) == (a < 0 ? 1 : 0));
+    REQUIRE(law::gate<std::int64_t>(a, 0) == a);
+    REQUIRE(law::gate<std::int64_t>(a, 1) == 0);
+  }
+}

@@ -10,6 +10,7 @@
 #     has_strobes        OFF: it has no strobe protocol, so nothing is written to it
 #     exhaustive         formats whose inputs are all tried
 #     covered, mutated   formats whose coverage is counted, whose mutants are tried: of the first 200 in a test
+#   tables.cmake   declares programs, targets and tests of tables that only this device has
 # Labels: quick takes seconds in all, full less than a minute of processor time each, long more.
 
 # blysk_label(LABEL TEST...)
@@ -144,6 +145,7 @@ function(blysk_device_tests device)
   if(family STREQUAL specular)
     blysk_specular_tests(${device})
   endif()
+  include(${own}/tables.cmake OPTIONAL)
 endfunction()
 
 # What devices with the registers and colour multipliers of rtl_sysc/devices/specular.h share: proofs, and the errors

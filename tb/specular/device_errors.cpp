@@ -80,13 +80,9 @@ tables measure_all(const std::string& device) {
           device) +
           "Over every cosine code c of the format: the largest |BRDF - c^n| and where it lies, the root of "
           "the "
-          "mean "
-          "square,\nand the largest |BRDF - c^n| / c^n in the three epicentres (spec E12), with the number "
-          "of "
-          "codes in "
-          "each; where that\nis 1, only c = 1 lies in it, and there the error is 0. All numbers are "
-          "dimensionless; "
-          "the BRDF is clamped to [0, 1].\n"};
+          "mean square,\nand the largest |BRDF - c^n| / c^n in the three epicentres (spec E12), with the "
+          "number of codes in each; where that\nis 1, only c = 1 lies in it, and there the error is 0. All "
+          "numbers are dimensionless; the BRDF lies in [0, 1].\n"};
   for (const std::string_view format : format_names) {
     const selection asked = choose(device, std::string(format));
     if (dynamic_cast<const specular::device_of_points*>(&asked.of()) == nullptr)

@@ -2,7 +2,10 @@
 #include "tb/specular/parabola_formula.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
+#include "rtl_sysc/formats.h"
 #include "tb/golden/lobe_formulas.h"
 
 namespace blysk::specular {
@@ -15,7 +18,48 @@ golden::coefficient_line line_of(const selection& asked) {
   return golden::coefficient_line::exact;
 }
 
+/// |bit - golden| <= coefficient + square + rounding + arithmetic, in units of the BRDF:
+///   coefficient  |a_wired - a| (c - c^2); clamped, where the lobe ends at c - c^2 = c / a, also
+///                <= 1 - min(a_wired, a) / max(a_wired, a)
+///   square       a_wired 2^-(diff_bits + 1), if cos^2 is rounded at all
+///   rounding     2^-(F + 1)
+///   arithmetic   of the golden function itself: three operations on values up to a, each 2^-53 relative
+class error_bound {
+ public:
+  error_bound(const parabola& device, const selection& asked) : is_clamped_(!asked.flag("as-published")) {
+    const word_lengths widths = device.widths(asked);
+    const int cos_bits = widths.at("cos");
+    const int diff_bits = widths.at("square");
+    half_ulp_ = std::ldexp(1.0, -cos_bits - 1);
+    square_ = diff_bits == 2 * cos_bits ? 0 : std::ldexp(1.0, -diff_bits - 1);
+    a_.push_back(0);
+    a_wired_.push_back(0);
+    for (int n = 1; n <= exponent::max; ++n) {
+      a_.push_back(device.coefficient(asked, n));
+      a_wired_.push_back(
+          std::ldexp(static_cast<double>(device.wired_coefficient(asked, n)), -widths.at("coefficient")));
+    }
+  }
+
+  double operator()(double n, double c) const {
+    const double a = a_[static_cast<std::size_t>(n)];
+    const double a_wired = a_wired_[static_cast<std::size_t>(n)];
+    double coefficient = std::fabs(a_wired - a) * (c - c * c);
+    if (is_clamped_) coefficient = std::fmin(coefficient, 1 - std::fmin(a_wired, a) / std::fmax(a_wired, a));
+    return coefficient + a_wired * square_ + half_ulp_ + 3 * a * std::numeric_limits<double>::epsilon() / 2;
+  }
+
+ private:
+  bool is_clamped_;
+  double half_ulp_, square_;
+  std::vector<double> a_, a_wired_;  // by n
+};
+
 }  // namespace
+
+std::function<double(double, double)> parabola::bound(const selection& asked) const {
+  return error_bound(*this, asked);
+}
 
 std::function<double(double, double)> parabola::formula(const selection& asked) const {
   const auto line = line_of(asked);

@@ -12,6 +12,9 @@ class parabola : public device_of_points {
   std::function<double(double, double)> formula(const selection& asked) const override;
   double root(const selection& asked, double n) const override;
 
+  /// That of docs/architecture.md.
+  std::function<double(double, double)> bound(const selection& asked) const override;
+
   /// The coefficient a of the formula.
   double coefficient(const selection& asked, double n) const;
 

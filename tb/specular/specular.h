@@ -25,6 +25,10 @@ class device_of_points : public device {
   /// The device's own formula: BRDF of n and cos(delta), limited as the options say.
   virtual std::function<double(double n, double c)> formula(const selection& asked) const = 0;
 
+  /// How far the bit-accurate model's BRDF may be from the formula's at any n and cos(delta): a bound that is derived from
+  /// the word lengths, the double's own rounding included. Empty if none is derived.
+  virtual std::function<double(double n, double c)> bound(const selection&) const { return {}; }
+
   /// The largest cos(delta) below 1 where the formula's lobe ends, in [0, 1).
   virtual double root(const selection& asked, double n) const = 0;
 };

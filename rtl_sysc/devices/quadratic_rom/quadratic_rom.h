@@ -22,8 +22,8 @@ struct quadratic_rom_formats : parabola_formats<Q, Lobe, min_of(Q::frac, 20)> {
 
   /// No net overflows for any legal input. All three lines rise with n.
   static constexpr bool no_overflow() {
-    constexpr std::int64_t last = contents::published[1000];
-    static_assert(contents::exact[1000] <= last && contents::derived[1000] <= last);
+    constexpr std::int64_t last = contents::words[2][1000];
+    static_assert(contents::words[0][1000] <= last && contents::words[1][1000] <= last);
     return base::template no_overflow_up_to<last>();
   }
 };

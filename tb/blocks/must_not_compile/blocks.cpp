@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // What blocks refuse, one case at a time; without BLYSK_CASE this compiles.
 #include "rtl_sysc/blocks/add.h"
+#include "rtl_sysc/blocks/compare.h"
 #include "rtl_sysc/blocks/inverter_bank.h"
 #include "rtl_sysc/blocks/mul.h"
 #include "rtl_sysc/blocks/quantise.h"
 #include "rtl_sysc/blocks/reg_level.h"
+#include "rtl_sysc/blocks/sign.h"
 
 #define NONE 0
 #define WRONG_WIDTH 1
@@ -13,6 +15,8 @@
 #define QUANTISE_WITHOUT_HEADROOM 4
 #define TOO_WIDE 5
 #define SIGNED_INVERTER 6
+#define SIGN_OF_UNSIGNED 7
+#define COMPARISON_TOO_WIDE 8
 #ifndef BLYSK_CASE
 #define BLYSK_CASE NONE
 #endif
@@ -48,3 +52,11 @@ static_assert(uq < 32, BLYSK_CASE == TOO_WIDE ? 32 : 31 > ::max > 0);
 using inverted =
     inverter_bank<std::conditional_t<BLYSK_CASE == SIGNED_INVERTER, sq<1, 4>, uq<1, 4>>, sq<1, 4>>;
 static_assert(inverted::law(one) == -2);
+
+// An unsigned number has no sign.
+using sign_of = sign<std::conditional_t<BLYSK_CASE == SIGN_OF_UNSIGNED, uq<2, 4>, sq<1, 4>>>;
+static_assert(sign_of::law(-one) == 1);
+
+// Operands of a comparison are aligned within 64 bits.
+using compared = compare<uq<33, 0>, uq<1, BLYSK_CASE == COMPARISON_TOO_WIDE ? 31 : 30>>;
+static_assert(compared::law(one, one) == 0);
