@@ -23,7 +23,7 @@ struct fixed_shape {
   static constexpr bool has_factor = Formats::has_factor;
 
   using product_t = specular::machine_int<typename Formats::line>;
-  using rounded_t = specular::machine_int<sq<10, line_bits>>;  // with one bit more than it is rounded to
+  using rounded_t = specular::machine_int<sq<10, line_bits>>;
   using square_t = specular::machine_int<typename Formats::mul10::exact>;
   using scaled_t = std::conditional_t<has_factor, std::int64_t, square_t>;
   using out_t = std::conditional_t<(Formats::out::width <= 32), std::uint32_t, std::int64_t>;
@@ -50,7 +50,8 @@ template <class Shape>
   const auto line =
       law::add<product_t>(product, 0, grounded, line_frac,
                           law::move_up<product_t>(carry29, shape.weight_bits == 0 ? line_frac : 0));
-  const auto nearest = law::round_off_to<rounded_t>(line, line_frac - shape.line_bits);
+  // Half a unit fits beside it: |line| < 2^9 in a format of 10 integer bits.
+  const auto nearest = static_cast<rounded_t>(law::round_off(line, line_frac - shape.line_bits));
   const auto unity = static_cast<rounded_t>(rounded_t{1} << shape.line_bits);
   const rounded_t low =
       shape.is_limited ? static_cast<rounded_t>(-unity) : std::numeric_limits<rounded_t>::min();
