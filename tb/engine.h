@@ -14,7 +14,8 @@ class engine {
  public:
   virtual ~engine() = default;
 
-  /// Computes row i of `out` from row i of `in` for all i. Codes outside the formats' legal ranges are not checked.
+  /// Computes row i of `out` from row i of `in` for all i, or, for a device that delivers any number of rows, their rows one
+  /// after the other. Codes outside the formats' legal ranges are not checked.
   /// \param in   a column for each data port, of the storage of its format
   /// \param out  becomes a column for each result; what it holds keeps its memory
   void run(const columns& in, columns& out) {
@@ -33,13 +34,19 @@ class engine {
   std::vector<storage> results_;
 };
 
+/// What a device needs before its first row.
+inline constexpr std::uint64_t kResetCycles = 2;
+
+/// After so many clock cycles without a row taken or delivered an engine gives a device up.
+inline constexpr std::uint64_t kPatienceCycles = 1 << 16;
+
 /// An engine with a clock.
 class clocked_engine : public engine {
  public:
   /// Clock cycles simulated so far, those of the reset included.
   virtual std::uint64_t cycles() const = 0;
 
-  /// Writes to the register whose strobe confirms, the confirming ones at the end of each run() included.
+  /// Rows that the device has taken; with strobes, the confirming write at the end of each run() counts as one.
   virtual std::uint64_t writes() const = 0;
 
  protected:

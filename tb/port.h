@@ -15,12 +15,15 @@ namespace blysk {
 struct port {
   enum class role {
     clock,
-    reset,    ///< active low, synchronous
-    data,     ///< an input that carries a number: a column of the stimulus
-    strobe,   ///< writes a data port's register
+    reset,   ///< active low, synchronous
+    data,    ///< an input that carries a number: a column of the stimulus
+    strobe,  ///< writes a data port's register
+    start,  ///< a rising edge of the clock that sees it and `ready` at one takes all data ports: a row of the stimulus
     control,  ///< any other input of one bit
+    ready,    ///< the device takes a row when it is started
     result,   ///< a column of the results
-    valid     ///< its leading edge says that the results belong to the write before
+    valid  ///< of a device with strobes: its leading edge says that the results belong to the write before; of one
+           ///< with `start`: a rising edge of the clock that sees it at one delivers a row of the results
   };
 
   std::string name;    ///< as SystemC and Verilog have it
@@ -33,10 +36,12 @@ struct port {
   std::string column = {};                  ///< of data and results: its name in CSV files
   std::string writes = {};                  ///< of a strobe: the data port
   write_edge edge = write_edge::level;      ///< of a strobe
-  int settling_cycles = 0;  ///< of valid: clock cycles more that a write needs before its leading edge
+  int settling_cycles =
+      0;  ///< of valid: clock cycles more that a write needs before its leading edge; of a device with
+          ///< `start`: clock cycles after which it has delivered all rows if it stays ready
 
   int width() const { return carries ? carries->width() : 1; }
-  bool is_input() const { return is != role::result && is != role::valid; }
+  bool is_input() const { return is != role::result && is != role::ready && is != role::valid; }
 
   /// "18: cos(delta), 0..1, UQ1.8, codes 0..256"
   std::string text() const;
@@ -47,6 +52,14 @@ std::vector<port> of_role(const std::vector<port>& ports, port::role role);
 
 /// "n,cos,r,g,b": the columns of the ports of one role.
 std::string column_names(const std::vector<port>& ports, port::role role);
+
+/// How a host talks to a device.
+enum class protocol {
+  strobes,    ///< a strobe for each data port, one of which writes by its trailing edge: [P] fig. 3
+  handshake,  ///< start, ready and valid
+  none
+};
+protocol protocol_of(const std::vector<port>& ports);
 
 /// Position of the first port with the role.
 /// \throws std::logic_error if there is none
@@ -74,8 +87,16 @@ class port_list {
     ports.back().edge = edge;
   }
   template <class Member>
+  void start(Member, const pin& what) {
+    add(what, port::role::start);
+  }
+  template <class Member>
   void control(Member, const pin& what) {
     add(what, port::role::control);
+  }
+  template <class Member>
+  void ready(Member, const pin& what) {
+    add(what, port::role::ready);
   }
   template <class Member, class Format>
   void result(Member, const pin& what, Format format, const char* column) {

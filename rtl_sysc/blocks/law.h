@@ -96,6 +96,48 @@ constexpr T gate(T a, T off) {
   return select(off, static_cast<T>(0), a);
 }
 
+/// a / 2 without the last bit, towards -infinity.
+template <class T>
+constexpr T halve(T a) {
+  return static_cast<T>(a >> 1);
+}
+
+/// The first bit of an unsigned number of `width` bits.
+template <class T>
+constexpr T first_bit(T a, int width) {
+  return static_cast<T>(a >> (width - 1));
+}
+
+/// The other bits, moved up by one place.
+template <class T>
+constexpr T other_bits(T a, int width) {
+  return static_cast<T>((a << 1) & static_cast<T>((std::int64_t{1} << width) - 1));
+}
+
+/// A counter of steps: an operation starts while none is left.
+template <class T>
+constexpr T starts(T start, T left) {
+  return static_cast<T>(start && left == static_cast<T>(0));
+}
+template <class T>
+constexpr T is_idle(T left) {
+  return static_cast<T>(left == static_cast<T>(0));
+}
+template <class T>
+constexpr T is_active(T left) {
+  return static_cast<T>(!(left == static_cast<T>(0)));
+}
+template <class T>
+constexpr T is_last(T left) {
+  return static_cast<T>(left == static_cast<T>(1));
+}
+/// Steps left after a clock edge: `steps` if an operation starts, else one less than before, down to 0.
+template <class T>
+constexpr T count_down(T start, T steps, T left) {
+  return select(starts(start, left), steps,
+                select(left == static_cast<T>(0), left, static_cast<T>(left - static_cast<T>(1))));
+}
+
 /// True at the clock edge that ends a strobe: it was at one, it is at zero.
 template <class T>
 constexpr T trailing_edge(T now, T before) {

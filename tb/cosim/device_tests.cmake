@@ -7,7 +7,7 @@
 #   tests.cmake    sets, where they differ from what stands here:
 #     family             specular: the proofs of tb/specular/formal and the errors against c^n hold for it
 #     changed_reference  a sed command that spoils the inner result of reference.v, for family specular
-#     has_strobes        OFF: it has no strobe protocol, so nothing is written to it
+#     protocol           strobes, handshake, or none: nothing is written to it
 #     exhaustive         formats whose inputs are all tried
 #     covered, mutated   formats whose coverage is counted, whose mutants are tried: of the first 200 in a test
 #   tables.cmake   declares programs, targets and tests of tables that only this device has
@@ -32,7 +32,7 @@ function(blysk_device_tests device)
   set(own ${PROJECT_SOURCE_DIR}/tb/devices/${identifier})
   set(family "")
   set(changed_reference "")
-  set(has_strobes ON)
+  set(protocol strobes)
   set(exhaustive q8 q10 q12 q14 q16)
   set(covered q8 q12 q16)
   set(mutated q8 q12)
@@ -73,7 +73,7 @@ function(blysk_device_tests device)
       blysk_label_checked(${format} cosim.${device}.lockstep.${format}.${which})
     endforeach()
   endforeach()
-  if(NOT has_strobes)
+  if(protocol STREQUAL none)
     return()
   endif()
   add_test(NAME cosim.${device}.engines COMMAND lockstep ${device} q8 engines)

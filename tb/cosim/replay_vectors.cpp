@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // replay_vectors DEVICE FORMAT COUNT --output FOLDER: COUNT random writes and what the bit-accurate model makes of them as
-// FOLDER/vectors.txt, and the device's ports as FOLDER/device.vh, both for replay.v.
+// FOLDER/vectors.txt, and the device's ports as FOLDER/device.vh, both for replay.v or, for a device that is started,
+// replay_handshake.v.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -47,12 +48,17 @@ class bundle {
 
 class replay {
  public:
-  explicit replay(const selection& asked) : asked_(asked), ports_(asked.of().ports(asked)) {
+  explicit replay(const selection& asked)
+      : asked_(asked),
+        ports_(asked.of().ports(asked)),
+        is_strobed_(protocol_of(ports_) == protocol::strobes) {
+    if (protocol_of(ports_) == protocol::none)
+      throw std::invalid_argument(asked.text() + " has no protocol, expected a device with one");
     std::size_t data_column = 0;
     std::size_t result_column = 0;
     for (const port& each : ports_) {
       if (each.is == port::role::data) {
-        const bool is_trailing = strobe_of(each).edge == write_edge::trailing;
+        const bool is_trailing = is_strobed_ && strobe_of(each).edge == write_edge::trailing;
         (is_trailing ? trailing_ : level_).add(each);
         (is_trailing ? trailing_columns_ : level_columns_).push_back(data_column++);
       } else if (each.is == port::role::result) {
@@ -63,8 +69,6 @@ class replay {
         ++result_column;
       }
     }
-    if (trailing_columns_.size() != 1)
-      throw std::invalid_argument(asked.text() + " has no strobe protocol, expected a device with one");
   }
 
   std::string header() const {
@@ -74,15 +78,18 @@ class replay {
       if (each.is == port::role::strobe)
         connections +=
             fmt::format(", .{}({})", each.name, each.edge == write_edge::trailing ? "trailing" : "level");
+      if (each.is == port::role::start || each.is == port::role::ready)
+        connections += fmt::format(", .{}({})", each.name, each.is == port::role::start ? "start" : "ready");
       if (!each.is_inner && !each.is_input())
         stuck += fmt::format(" if ($test$plusargs(\"stuck_{0}\")) force device.{0} = 0;", each.name);
     }
     return fmt::format(
         "// Made by replay_vectors; do not edit.\n"
-        "`define TRAILING_BITS {}\n`define LEVEL_BITS {}\n`define RESULT_BITS {}\n"
+        "{}`define LEVEL_BITS {}\n`define RESULT_BITS {}\n"
         "`define DEVICE {} device (.{}(clk), .{}(rst_n), .{}(valid){}{}{}{});\n"
         "`define STUCK{}\n",
-        trailing_.width(), level_.width(), results_.width(), asked_.top_name(), name(port::role::clock),
+        is_strobed_ ? fmt::format("`define TRAILING_BITS {}\n", trailing_.width()) : "", level_.width(),
+        results_.width(), asked_.top_name(), name(port::role::clock),
         name(port::role::reset), name(port::role::valid), connections, trailing_.connections(),
         level_.connections(), results_.connections(), stuck);
   }
@@ -94,8 +101,8 @@ class replay {
     for_random_inputs(asked_, count, 1, [&](const columns& in) {
       model->run(in, out);
       for (std::size_t row = 0; row < in.size(); ++row) {
-        text += digits(in, trailing_columns_, port::role::data, row) + ' ' +
-                digits(in, level_columns_, port::role::data, row) + ' ' +
+        if (is_strobed_) text += digits(in, trailing_columns_, port::role::data, row) + ' ';
+        text += digits(in, level_columns_, port::role::data, row) + ' ' +
                 digits(out, result_columns_, port::role::result, row) + '\n';
       }
     });
@@ -121,6 +128,7 @@ class replay {
 
   const selection& asked_;
   std::vector<port> ports_;
+  bool is_strobed_;
   bundle trailing_{"trailing_data"}, level_{"level_data"}, results_{"results"};
   std::vector<std::size_t> trailing_columns_, level_columns_, result_columns_;
 };

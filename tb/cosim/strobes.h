@@ -25,8 +25,8 @@ class strobe_sequence {
   const std::vector<port>& ports() const { return ports_; }
 
   /// Sequences of 16 cycles keep to one pattern; every eighth starts with a reset, in whatever the registers do, and
-  /// leaves one register unwritten or none, so that its reset value is seen. Data without a strobe and other controls
-  /// change in every cycle.
+  /// leaves one register unwritten or none, so that its reset value is seen. Data without a strobe, start and other
+  /// controls change in every cycle.
   /// \param levels  of all ports in the device's order; the inputs but the clock are set
   void next(std::span<std::int64_t> levels);
 

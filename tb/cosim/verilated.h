@@ -62,48 +62,89 @@ class verilated : public Base {
   Glue glue_;
 
  private:
-  static constexpr int kResetCycles = 2;
-
   void compute(const columns& in, columns& out) override {
-    if constexpr (Glue::kHasProtocol) {
+    if constexpr (Glue::kProtocol == protocol::none) {
+      throw std::logic_error("the device's ports are not those of a protocol");
+    } else {
       point_at(in, out);
       if (cycles_ == 0) reset();
       glue_.reset() = 1;
-      for (std::size_t i = 0; i < in.size(); ++i) {
-        lead();
-        glue_.trailing([&](auto channel, auto& data, auto&) { put(channel, data, i); });
-        clock(false);
-        if (i > 0) capture(i - 1);
-        finish_cycle();
-        trail();
-        glue_.level([&](auto channel, auto& data, auto& strobe) {
-          put(channel, data, i);
-          strobe = 1;
-        });
-        clock(false);
-        finish_cycle();
-        settle();
+      if constexpr (Glue::kProtocol == protocol::strobes) {
+        write_by_strobes(in.size());
+      } else {
+        shake_hands(in.size(), out);
       }
-      lead();
-      clock(false);
-      if (in.size() > 0) capture(in.size() - 1);
-      finish_cycle();
-      trail();
-      clock(false);
-      finish_cycle();
-      settle();
-      writes_ += in.size() + 1;
-    } else {
-      throw std::logic_error("the device's ports are not those of the strobe protocol");
     }
   }
 
+  void write_by_strobes(std::size_t rows) {
+    for (std::size_t i = 0; i < rows; ++i) {
+      lead();
+      glue_.trailing([&](auto channel, auto& data, auto&) { put(channel, data, i); });
+      clock(false);
+      if (i > 0) capture(i - 1);
+      finish_cycle();
+      trail();
+      glue_.level([&](auto channel, auto& data, auto& strobe) {
+        put(channel, data, i);
+        strobe = 1;
+      });
+      clock(false);
+      finish_cycle();
+      settle();
+    }
+    lead();
+    clock(false);
+    if (rows > 0) capture(rows - 1);
+    finish_cycle();
+    trail();
+    clock(false);
+    finish_cycle();
+    settle();
+    writes_ += rows + 1;
+  }
+
+  // A row is offered as soon as the device is ready, and taken at the next rising edge.
+  void shake_hands(std::size_t rows, columns& out) {
+    std::size_t taken = 0;
+    std::size_t delivered = 0;
+    int idle = 0;              // cycles in which the device had nothing to take
+    std::uint64_t waited = 0;  // cycles since it took or delivered a row
+    while (idle <= Glue::kSettlingCycles) {
+      finish_cycle();
+      clock(false);
+      if (++waited > kPatienceCycles)
+        throw std::runtime_error("the device neither takes nor delivers a row any more");
+      if (glue_.valid() != 0) {
+        waited = 0;
+        if (delivered == out.size()) {
+          out.resize(2 * delivered + 1);
+          point_at(out);
+        }
+        capture(delivered++);
+      }
+      if (glue_.start() != 0) {
+        ++taken;
+        waited = 0;
+      }
+      const bool is_offered = glue_.ready() != 0 && taken < rows;
+      if (is_offered) glue_.data([&](auto field, auto& data) { put(field, data, taken); });
+      glue_.start() = is_offered ? 1 : 0;
+      glue_.top.eval();
+      idle = glue_.ready() != 0 && taken == rows ? idle + 1 : 0;
+    }
+    out.resize(delivered);
+    writes_ += taken;
+  }
+
   void point_at(const columns& in, columns& out) {
-    const auto point = [&]<class Field>(Field, const auto&, const auto&) {
+    glue_.data([&]<class Field>(Field, const auto&) {
       sources_[Field::column] = in[Field::column].template data<typename Field::element>();
-    };
-    glue_.trailing(point);
-    glue_.level(point);
+    });
+    point_at(out);
+  }
+
+  void point_at(columns& out) {
     glue_.results([&]<class Field>(Field, const auto&) {
       targets_[Field::column] = out[Field::column].template data<typename Field::element>();
     });
@@ -122,7 +163,7 @@ class verilated : public Base {
   void reset() {
     glue_.inputs([]<class Wire>(Wire, auto& member) { Wire::write(member, 0); });
     glue_.top.eval();
-    for (int i = 0; i < kResetCycles; ++i) {
+    for (std::uint64_t i = 0; i < kResetCycles; ++i) {
       finish_cycle();
       clock(false);
     }

@@ -52,7 +52,8 @@ class glue {
   glue(const std::vector<port>& ports, wanted what) : ports_(ports), what_(std::move(what)) {}
 
   std::string text() const {
-    const bool strobed = has_protocol();
+    const protocol talks = protocol_of(ports_);
+    const bool driven = talks != protocol::none;
     return fmt::format(R"(// Made by verilated_glue; do not edit.
 #include <{0}.h>
 #include <{0}___024root.h>
@@ -64,7 +65,7 @@ namespace blysk::cosim {{
 namespace {{
 
 struct glue {{
-  static constexpr bool kHasProtocol = {2};
+  static constexpr protocol kProtocol = protocol::{2};
   static constexpr std::size_t kDataColumns = {3};
   static constexpr std::array<storage, {4}> kResultStorage = {{{5}}};
 
@@ -86,11 +87,11 @@ std::unique_ptr<{10}> make_{0}() {{
 
 }}  // namespace blysk::cosim
 )",
-                       what_.class_name, what_.has_mutants ? "mutants_of" : "verilated", strobed,
+                       what_.class_name, what_.has_mutants ? "mutants_of" : "verilated", name_of(talks),
                        std::ranges::count(ports_, port::role::data, &port::is),
                        std::ranges::count(ports_, port::role::result, &port::is), result_storage(),
-                       strobed ? control_text() : "", wires_text(true), wires_text(false),
-                       strobed ? columns_text() : "", what_.has_mutants ? "mutants" : "verilator_engine",
+                       driven ? control_text() : "", wires_text(true), wires_text(false),
+                       driven ? columns_text() : "", what_.has_mutants ? "mutants" : "verilator_engine",
                        what_.has_mutants ? "mutants_of<glue>" : "verilated<glue>");
   }
 
@@ -104,16 +105,8 @@ std::unique_ptr<{10}> make_{0}() {{
   }
 
  private:
-  /// A clock, a reset, a valid port, and a strobe for each data port, one of which writes by its trailing edge.
-  bool has_protocol() const {
-    const auto count = [&](port::role role) { return std::ranges::count(ports_, role, &port::is); };
-    const auto trailing = std::ranges::count_if(ports_, [](const port& each) {
-      return each.is == port::role::strobe && each.edge == write_edge::trailing;
-    });
-    const bool all_strobed = std::ranges::all_of(
-        ports_, [&](const port& each) { return each.is != port::role::data || strobe_of(each) != nullptr; });
-    return count(port::role::clock) == 1 && count(port::role::reset) == 1 && count(port::role::valid) == 1 &&
-           count(port::role::strobe) == count(port::role::data) && trailing == 1 && all_strobed;
+  static const char* name_of(protocol talks) {
+    return talks == protocol::strobes ? "strobes" : talks == protocol::handshake ? "handshake" : "none";
   }
 
   const port* strobe_of(const port& data) const {
@@ -141,12 +134,20 @@ std::unique_ptr<{10}> make_{0}() {{
   }
 
   std::string control_text() const {
-    const auto name = [&](port::role role) { return ports_[find_role(ports_, role)].name; };
-    return fmt::format(
-        "  static constexpr int kSettlingCycles = {};\n"
-        "  auto& clock() {{ return top.{}; }}\n  auto& reset() {{ return top.{}; }}\n",
-        ports_[find_role(ports_, port::role::valid)].settling_cycles, name(port::role::clock),
-        name(port::role::reset));
+    std::string text = fmt::format("  static constexpr int kSettlingCycles = {};\n",
+                                   ports_[find_role(ports_, port::role::valid)].settling_cycles);
+    const auto add = [&](const char* method, port::role role) {
+      text +=
+          fmt::format("  auto& {}() {{ return top.{}; }}\n", method, ports_[find_role(ports_, role)].name);
+    };
+    add("clock", port::role::clock);
+    add("reset", port::role::reset);
+    if (protocol_of(ports_) == protocol::handshake) {
+      add("start", port::role::start);
+      add("ready", port::role::ready);
+      add("valid", port::role::valid);
+    }
+    return text;
   }
 
   std::string wires_text(bool are_inputs) const {
@@ -159,7 +160,7 @@ std::unique_ptr<{10}> make_{0}() {{
   }
 
   std::string columns_text() const {
-    std::string trailing, level, results;
+    std::string data, trailing, level, results;
     std::size_t data_column = 0;
     std::size_t result_column = 0;
     for (const port& each : ports_) {
@@ -168,9 +169,12 @@ std::unique_ptr<{10}> make_{0}() {{
                            member(each));
       };
       if (each.is == port::role::data) {
-        const port& strobe = *strobe_of(each);
-        (strobe.edge == write_edge::trailing ? trailing : level) +=
-            fmt::format("    use({}, top.{});\n", field(data_column++), strobe.name);
+        const std::string described = field(data_column++);
+        data += fmt::format("    use({});\n", described);
+        if (const port* const strobe = strobe_of(each); strobe != nullptr) {
+          (strobe->edge == write_edge::trailing ? trailing : level) +=
+              fmt::format("    use({}, top.{});\n", described, strobe->name);
+        }
       } else if (each.is == port::role::result) {
         results += fmt::format("    use({});\n", field(result_column++));
       }
@@ -178,7 +182,8 @@ std::unique_ptr<{10}> make_{0}() {{
     const auto method = [](const char* name, const std::string& body) {
       return fmt::format("  template <class Use>\n  void {}(Use use) {{\n{}  }}\n", name, body);
     };
-    return method("trailing", trailing) + method("level", level) + method("results", results);
+    return method("data", data) + method("trailing", trailing) + method("level", level) +
+           method("results", results);
   }
 
   const std::vector<port>& ports_;

@@ -75,7 +75,8 @@ std::string layout_text(const selection& asked, const std::string& root) {
   const auto of = [&](port::role role) { return of_role(ports, role); };
 
   out.begin("clock");
-  for (const port::role role : {port::role::clock, port::role::reset, port::role::control}) {
+  for (const port::role role :
+       {port::role::clock, port::role::reset, port::role::control, port::role::start, port::role::ready}) {
     for (const port& each : of(role)) out.add(each.wave, {});
   }
   out.end("clock");
@@ -95,8 +96,12 @@ std::string layout_text(const selection& asked, const std::string& root) {
     if (const port* const strobe = strobe_of(ports, each))
       writing += fmt::format("{} writes by its trailing edge, ", strobe->wave);
   }
+  const bool is_handshake = protocol_of(ports) == protocol::handshake;
   for (const port& each : of(port::role::valid))
-    writing += fmt::format("{} confirms by its leading edge", each.wave);
+    writing +=
+        fmt::format("{} confirms {}", each.wave, is_handshake ? "while it is at one" : "by its leading edge");
+  const std::string held =
+      is_handshake ? "taken while start and ready are at one" : "written while the strobe is at one";
   out.begin(writing);
   add_writes(trailing, true);
   for (const port& each : of(port::role::valid)) out.add(each.wave, {});
@@ -107,9 +112,9 @@ std::string layout_text(const selection& asked, const std::string& root) {
     is_first = false;
   }
   out.end(writing);
-  out.begin("written while the strobe is at one");
+  out.begin(held);
   add_writes(level, false);
-  out.end("written while the strobe is at one");
+  out.end(held);
 
   const auto device = asked.of().elaborate(asked, 0);
   sc_core::sc_start(sc_core::SC_ZERO_TIME);

@@ -60,7 +60,7 @@ class bound_port {
   virtual void write(std::int64_t value) = 0;
   virtual void trace(sc_core::sc_trace_file* file, const std::string& name) const = 0;
 
-  /// The signal of a clock, strobe or valid port; its events wake a test bench.
+  /// The signal of a port that carries one bit and no number; its events wake a test bench.
   /// \throws std::logic_error for any other port
   virtual const sc_core::sc_signal<bool>& control() const {
     throw std::logic_error(what.name + " carries a number");
@@ -168,8 +168,16 @@ class elaborated::binder {
     bind_input(member);
   }
   template <class Member>
+  void start(Member member, const pin&) {
+    bind_input(member);
+  }
+  template <class Member>
   void control(Member member, const pin&) {
     bind_input(member);
+  }
+  template <class Member>
+  void ready(Member member, const pin&) {
+    bind_output(member);
   }
   template <class Member, class Format>
   void result(Member member, const pin&, Format, const char*) {

@@ -3,7 +3,6 @@
 #include "tb/devices/test/asked.h"
 #include "tb/devices/test/comparison.h"
 #include "tb/harness/systemc_engine.h"
-#include "tb/netlist/interpreter.h"
 
 namespace {
 
@@ -11,7 +10,6 @@ using namespace blysk;
 using test::asked_for;
 
 constexpr std::uint64_t kSimulated = 1'100'000;  // all inputs of q10, about two seconds
-constexpr std::uint64_t kComputed = 5'000'000;   // all inputs of q12
 
 }  // namespace
 
@@ -19,12 +17,6 @@ TEST_CASE("systemc = bit", "[variants]") {
   const selection asked = asked_for();
   test::comparison compared(asked, harness::make_systemc(asked), asked.of().make_bit(asked));
   test::compare(compared, asked, kSimulated);
-}
-
-TEST_CASE("netlist = bit", "[variants]") {
-  const selection asked = asked_for();
-  test::comparison compared(asked, netlist::make_interpreter(asked), asked.of().make_bit(asked));
-  test::compare(compared, asked, kComputed);
 }
 
 TEST_CASE("word lengths of the format = bit", "[variants]") {
