@@ -91,9 +91,11 @@ class device {
  public:
   virtual ~device() = default;
 
-  virtual std::string name() const = 0;    ///< "quadratic-rom"
-  virtual std::string title() const = 0;   ///< what it is, in half a line
-  virtual std::string source() const = 0;  ///< document and figure
+  virtual std::string name() const = 0;      ///< "quadratic-rom"
+  virtual std::string title() const = 0;     ///< what it is, in half a line
+  virtual std::string source() const = 0;    ///< document
+  virtual std::string figure() const = 0;    ///< of the document, "fig. 1"
+  virtual std::string good_for() const = 0;  ///< what a user takes it for, in a line
   virtual std::vector<option> options() const = 0;
 
   /// The name with underscores, for folders, modules and namespaces.

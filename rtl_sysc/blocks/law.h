@@ -84,10 +84,10 @@ constexpr T below(T a, int a_shift, T b, int b_shift) {
   return static_cast<T>((a << a_shift) < (b << b_shift));
 }
 
-/// The sign bit of a number of `width` bits: 1 if a < 0.
+/// 1 if a < 0.
 template <class T>
-constexpr T sign_bit(T a, int width) {
-  return static_cast<T>((a >> (width - 1)) & static_cast<T>(1));
+constexpr T is_negative(T a) {
+  return static_cast<T>(a < static_cast<T>(0));
 }
 
 /// a, or 0 where `off` is one: each bit through an AND gate.

@@ -6,7 +6,7 @@
 
 namespace blysk {
 
-/// The sign of a_i: negative_o = a_i < 0, a wire from its first bit.
+/// The sign of a_i: negative_o = a_i < 0, its first bit.
 ///
 /// Instances  sign8, at adder 8 of [T] fig. 3.1, in the place of comparator 11 and ROM 9 (spec erratum E5).
 /// Formats    a_i: A signed, negative_o: one bit.
@@ -24,7 +24,7 @@ struct sign : sc_core::sc_module {
   template <class T>
   static constexpr T law(T a) {
     static_assert(A::is_signed, "an unsigned number has no sign");
-    return law::sign_bit(a, A::width);
+    return law::is_negative(a);
   }
 
   template <class Reader>

@@ -110,7 +110,7 @@ TEST_CASE("clamp, select, lookup and trailing_edge", "[law]") {
   }
 }
 
-TEST_CASE("move_up, below, sign_bit and gate", "[law]") {
+TEST_CASE("move_up, below, is_negative and gate", "[law]") {
   for (int a = -40; a <= 40; ++a) {
     for (int shift = 0; shift <= 8; ++shift) {
       CAPTURE(a, shift);
@@ -120,8 +120,7 @@ TEST_CASE("move_up, below, sign_bit and gate", "[law]") {
         REQUIRE(law::below<std::int32_t>(b, 0, a, shift) == (b < a * (1 << shift) ? 1 : 0));
       }
     }
-    REQUIRE(law::sign_bit<std::int32_t>(a, 7) == (a < 0 ? 1 : 0));
-    REQUIRE(law::sign_bit<std::int64_t>(a, 64) == (a < 0 ? 1 : 0));
+    REQUIRE(law::is_negative<std::int32_t>(a) == (a < 0 ? 1 : 0));
     REQUIRE(law::gate<std::int64_t>(a, 0) == a);
     REQUIRE(law::gate<std::int64_t>(a, 1) == 0);
   }

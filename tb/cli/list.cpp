@@ -2,50 +2,102 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "tb/cli/engines.h"
+#include "tb/cli/measured.h"
 #include "tb/cli/verbs.h"
 #include "tb/device.h"
 #include "tb/golden/registry.h"
+#include "tb/netlist/elaborated.h"
 
 namespace blysk::cli {
 namespace {
 
-nlohmann::ordered_json listing() {
-  using json = nlohmann::ordered_json;
+using json = nlohmann::ordered_json;
+
+const std::string kTableFormat = "q16";  // of the table for people; JSON has all formats
+
+json columns_of(const std::vector<port>& ports, port::role role) {
+  json names = json::array();
+  for (const port& of : of_role(ports, role)) names.push_back(of.column);
+  return names;
+}
+
+json options_of(const device& of) {
+  json options = json::array();
+  for (const option& each : of.options()) {
+    options.push_back({{"name", each.name},
+                       {"help", each.help},
+                       {"values", each.values},
+                       {"default", each.preset},
+                       {"golden_values", each.formula_values},
+                       {"hardware_only", each.is_wired}});
+  }
+  return options;
+}
+
+/// The leaf blocks in the order of the netlist. Several devices may be elaborated, as long as none is simulated.
+json blocks_of(const selection& asked) {
+  json blocks = json::array();
+  const auto elaborated = asked.of().elaborate(asked, 0);
+  for (const sc_core::sc_module* module : elaborated->parts().modules()) {
+    const std::string& words = elaborated->parts().find(*module)->words();
+    blocks.push_back({{"instance", module->basename()}, {"is", words.substr(0, words.find(':'))}});
+  }
+  return blocks;
+}
+
+/// Clock cycles from the one that sees a write's strobe to the one whose strobe confirms its results; null without strobes.
+json latency_of(const std::vector<port>& ports) {
+  const auto confirms = of_role(ports, port::role::valid);
+  const auto strobes = of_role(ports, port::role::strobe);
+  if (confirms.empty() || strobes.empty()) return nullptr;
+  const bool by_trailing_edge =
+      std::ranges::any_of(strobes, [](const port& each) { return each.edge == write_edge::trailing; });
+  return (by_trailing_edge ? 2 : 1) + confirms.front().settling_cycles;
+}
+
+/// Rows of the measured table, as `explore` names their keys.
+json errors_of(const device& of) {
+  json rows = json::array();
+  for (const worst_errors& each : measured_errors(of.identifier())) {
+    rows.push_back({{"format", each.format},
+                    {"domain", "epicentre"},
+                    {"max_rel_err", each.epicentre},
+                    {"n", each.epicentre_n}});
+    rows.push_back(
+        {{"format", each.format}, {"domain", "whole"}, {"max_abs_err", each.whole}, {"n", each.whole_n}});
+  }
+  return rows;
+}
+
+json device_listing(const device& of) {
+  json rom_bits;
+  for (const auto format : format_names)
+    rom_bits[std::string(format)] = of.rom_bits(choose(of.name(), std::string(format)));
+  const selection asked = choose(of.name(), kTableFormat);
+  const std::vector<port> ports = of.ports(asked);
+  return {{"name", of.name()},
+          {"title", of.title()},
+          {"source", of.source()},
+          {"figure", of.figure()},
+          {"good_for", of.good_for()},
+          {"stimulus", columns_of(ports, port::role::data)},
+          {"results", columns_of(ports, port::role::result)},
+          {"blocks", blocks_of(asked)},
+          {"rom_bits", rom_bits},
+          {"latency_cycles", latency_of(ports)},
+          {"errors", errors_of(of)},
+          {"options", options_of(of)}};
+}
+
+json listing() {
   json listed;
   listed["devices"] = json::array();
-  for (const device* each : devices()) {
-    const std::vector<port> ports = each->ports(choose(each->name(), std::string(format_names[0])));
-    const auto columns = [&](port::role role) {
-      json names = json::array();
-      for (const port& of : of_role(ports, role)) names.push_back(of.column);
-      return names;
-    };
-    json rom_bits;
-    for (const auto format : format_names) {
-      const selection asked = choose(each->name(), std::string(format));
-      rom_bits[std::string(format)] = each->rom_bits(asked);
-    }
-    json options = json::array();
-    for (const option& of : each->options()) {
-      options.push_back({{"name", of.name},
-                         {"help", of.help},
-                         {"values", of.values},
-                         {"default", of.preset},
-                         {"golden_values", of.formula_values},
-                         {"hardware_only", of.is_wired}});
-    }
-    listed["devices"].push_back({{"name", each->name()},
-                                 {"title", each->title()},
-                                 {"source", each->source()},
-                                 {"stimulus", columns(port::role::data)},
-                                 {"results", columns(port::role::result)},
-                                 {"rom_bits", rom_bits},
-                                 {"options", options}});
-  }
+  for (const device* each : devices()) listed["devices"].push_back(device_listing(*each));
   listed["formats"] = format_names;
   listed["engines"] = json::array();
   for (const engine_choice& each : engine_choices()) listed["engines"].push_back(each.name);
@@ -59,15 +111,65 @@ nlohmann::ordered_json listing() {
   return listed;
 }
 
-std::string joined(const nlohmann::ordered_json& names, std::string_view separator) {
+std::string joined(const json& names, std::string_view separator) {
   return fmt::format("{}", fmt::join(names.get<std::vector<std::string>>(), separator));
 }
 
-void print(const nlohmann::ordered_json& listed) {
-  fmt::print("devices\n");
+/// "3.2 % (n = 1000)", of the table's format; "-" if it was not measured.
+std::string error_text(const json& device, const char* domain, const char* key) {
+  for (const auto& row : device["errors"]) {
+    if (row["format"] != kTableFormat || row["domain"] != domain) continue;
+    return fmt::format("{:.2g} % (n = {})", 100 * row[key].get<double>(), row["n"].get<int>());
+  }
+  return "-";
+}
+
+std::string number_text(const json& value) {
+  return value.is_null() ? "-" : std::to_string(value.get<std::int64_t>());
+}
+
+/// The devices as rows of a table, its head first.
+std::vector<std::vector<std::string>> device_table(const json& listed) {
+  std::vector<std::vector<std::string>> rows{{"device", "source", "blocks", "ROM bits", "cycles",
+                                              "error, epicentre", "error, whole range", "good for"}};
   for (const auto& each : listed["devices"]) {
-    fmt::print("  {:<24} {}\n", each["name"].get<std::string>(), each["title"].get<std::string>());
-    fmt::print("  {:<24} {}; {} to {}\n", "", each["source"].get<std::string>(),
+    rows.push_back({each["name"].get<std::string>(),
+                    each["source"].get<std::string>() + ", " + each["figure"].get<std::string>(),
+                    std::to_string(each["blocks"].size()), number_text(each["rom_bits"][kTableFormat]),
+                    number_text(each["latency_cycles"]), error_text(each, "epicentre", "max_rel_err"),
+                    error_text(each, "whole", "max_abs_err"), each["good_for"].get<std::string>()});
+  }
+  return rows;
+}
+
+void print_markdown(const json& listed) {
+  bool is_head = true;
+  for (const std::vector<std::string>& row : device_table(listed)) {
+    const std::string first =
+        is_head ? row.front() : fmt::format("[{}](docs/devices/{}.md)", row.front(), row.front());
+    fmt::print("| {} | {} |\n", first, fmt::join(row.begin() + 1, row.end(), " | "));
+    if (is_head) fmt::print("|{}\n", fmt::join(std::vector<std::string>(row.size(), "---|"), ""));
+    is_head = false;
+  }
+}
+
+void print(const json& listed) {
+  fmt::print(
+      "devices, in format {}; errors against cos^n: relative where cos^n >= 0.6, absolute over the range\n",
+      kTableFormat);
+  const auto rows = device_table(listed);
+  std::vector<std::size_t> widths(rows.front().size());
+  for (const auto& row : rows) {
+    for (std::size_t i = 0; i + 1 < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
+  }
+  for (const auto& row : rows) {
+    fmt::print(" ");
+    for (std::size_t i = 0; i < row.size(); ++i) fmt::print(" {:<{}}", row[i], widths[i]);
+    fmt::print("\n");
+  }
+  fmt::print("options\n");
+  for (const auto& each : listed["devices"]) {
+    fmt::print("  {:<24} {}; {} to {}\n", each["name"].get<std::string>(), each["title"].get<std::string>(),
                joined(each["stimulus"], ","), joined(each["results"], ","));
     for (const auto& of : each["options"]) {
       const std::string values = joined(of["values"], ", ");
@@ -90,17 +192,22 @@ void print(const nlohmann::ordered_json& listed) {
 void add_list(CLI::App& program) {
   auto* verb = program.add_subcommand("list", "Name devices, formats, engines and golden models");
   auto as_json = std::make_shared<bool>(false);
+  auto as_markdown = std::make_shared<bool>(false);
   verb->add_flag("--json", *as_json, "print JSON");
+  verb->add_flag("--markdown", *as_markdown, "print the table of devices, as README has it")
+      ->excludes("--json");
   verb->footer(
       "Examples:\n"
       "  blysk list\n"
       "  blysk list --json");
-  verb->callback([as_json] {
-    const auto json = listing();
+  verb->callback([as_json, as_markdown] {
+    const json listed = listing();
     if (*as_json) {
-      fmt::print("{}\n", json.dump(2));
+      fmt::print("{}\n", listed.dump(2));
+    } else if (*as_markdown) {
+      print_markdown(listed);
     } else {
-      print(json);
+      print(listed);
     }
   });
 }

@@ -11,7 +11,8 @@
 #     exhaustive         formats whose inputs are all tried
 #     covered, mutated   formats whose coverage is counted, whose mutants are tried: of the first 200 in a test
 #   tables.cmake   declares programs, targets and tests of tables that only this device has
-# Labels: quick takes seconds in all, full less than a minute of processor time each, long more.
+# Labels: quick takes seconds in all, full less than a minute of processor time each, long more; stability besides for hard
+# cases.
 
 # blysk_label(LABEL TEST...)
 function(blysk_label label)
@@ -85,6 +86,12 @@ function(blysk_device_tests device)
     add_test(NAME ${prefix}.icarus.${format}
              COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/replay.sh $<TARGET_FILE:replay_vectors> ${verilog_folder} ${device} ${format})
     blysk_label_checked(${format} ${prefix}.random.${format} ${prefix}.icarus.${format})
+    # Hard cases: the ends of all codes, legal and not; X before and after the reset.
+    add_test(NAME ${prefix}.ends.${format} COMMAND lockstep ${device} ${format} ends)
+    add_test(NAME ${prefix}.four_state.${format}
+             COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/four_state.sh $<TARGET_FILE:replay_vectors> ${verilog_folder} ${device} ${format})
+    blysk_label_checked(${format} ${prefix}.ends.${format} ${prefix}.four_state.${format})
+    blysk_label(stability ${prefix}.ends.${format} ${prefix}.four_state.${format})
     if(format IN_LIST exhaustive)
       add_test(NAME ${prefix}.all.${format} COMMAND sweep_verilog ${device} ${format} all)
       blysk_label(full ${prefix}.all.${format})

@@ -47,7 +47,7 @@ std::string block::name(const std::vector<std::string>& ports) const {
     if (each.carries)
       (each.where == declaration::role::input ? in : out) += fmt::format("_{}", each.carries->name());
   }
-  const std::string result = in.empty() || in == out ? out : in + "_to" + out;
+  const std::string result = in.empty() || in == out ? out : out.empty() ? in : in + "_to" + out;
   return kind_ + result + (variant_.empty() ? "" : fmt::format("_{}", variant_));
 }
 

@@ -483,6 +483,45 @@ TEST_CASE("list names what there is, for people and for programs", "[cli]") {
   }
 }
 
+TEST_CASE("list says of each device what a user chooses it by", "[cli]") {
+  const scratch folder;
+  const auto json = nlohmann::json::parse(run_blysk(folder, "list --json").out);
+  const std::string text = run_blysk(folder, "list").out;
+  const std::string markdown = run_blysk(folder, "list --markdown").out;
+  CHECK(std::count(markdown.begin(), markdown.end(), '\n') ==
+        static_cast<std::ptrdiff_t>(json["devices"].size()) + 2);
+  bool has_errors = false;
+  for (const auto& device : json["devices"]) {
+    const auto name = device["name"].get<std::string>();
+    CAPTURE(name);
+    CHECK(markdown.find("| [" + name + "](docs/devices/" + name + ".md) | ") != std::string::npos);
+    CHECK(fs::exists(BLYSK_ROOT "/docs/devices/" + name + ".md"));
+    for (const char* key : {"title", "source", "figure", "good_for"}) {
+      CAPTURE(key);
+      CHECK_FALSE(device[key].get<std::string>().empty());
+      CHECK(text.find(device[key].get<std::string>()) != std::string::npos);
+    }
+    CHECK_FALSE(device["blocks"].empty());
+    for (const auto& block : device["blocks"]) {
+      CHECK_FALSE(block["instance"].get<std::string>().empty());
+      CHECK_FALSE(block["is"].get<std::string>().empty());
+    }
+    for (const auto& format : json["formats"]) CHECK(device["rom_bits"][format.get<std::string>()] >= 0);
+    CHECK((device["latency_cycles"].is_null() || device["latency_cycles"] >= 1));
+    for (const auto& row : device["errors"]) {
+      has_errors = true;
+      CAPTURE(row.dump());
+      const bool is_whole = row["domain"] == "whole";
+      CHECK((is_whole || row["domain"] == "epicentre"));
+      const double error = row[is_whole ? "max_abs_err" : "max_rel_err"];
+      CHECK((error >= 0 && error < 1));
+      CHECK((row["n"] >= 0 && row["n"] <= 1000));
+    }
+  }
+  CHECK(has_errors);
+  CHECK(run_blysk(folder, "list --json --markdown").status == 2);
+}
+
 TEST_CASE("every verb has its help", "[cli]") {
   const scratch folder;
   for (const std::string verb : {"", "simulate", "model", "export", "list"}) {

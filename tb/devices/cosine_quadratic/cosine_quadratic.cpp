@@ -138,7 +138,11 @@ class cosine_quadratic final : public specular::device_of_points {
  public:
   std::string name() const override { return "cosine-quadratic"; }
   std::string title() const override { return "the square of a line in cos(gamma), 0 beyond its root"; }
-  std::string source() const override { return "thesis of Buksha, fig. 3.1"; }
+  std::string source() const override { return "thesis of Buksha"; }
+  std::string figure() const override { return "fig. 3.1"; }
+  std::string good_for() const override {
+    return "smooth end of the highlight, least error over the whole range; energy factors";
+  }
 
   std::vector<option> options() const override {
     return {

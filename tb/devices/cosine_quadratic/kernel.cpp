@@ -64,7 +64,7 @@ template <class Shape>
     is_off = law::below<std::int64_t>(square, frac - shape.square_bits, words.limit[address],
                                       frac - shape.limit_bits) != 0;
   } else {
-    is_off = law::sign_bit<product_t>(line, 10 + line_frac) != 0;
+    is_off = law::is_negative<product_t>(line) != 0;
   }
   const auto lobe = static_cast<scaled_t>(law::gate<square_t>(square, static_cast<square_t>(is_off)));
   if (!shape.has_factor) return lobe;

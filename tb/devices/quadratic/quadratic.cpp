@@ -36,7 +36,11 @@ class quadratic final : public specular::parabola {
  public:
   std::string name() const override { return "quadratic"; }
   std::string title() const override { return "a quadratic in cos(delta), its coefficient a line in n"; }
-  std::string source() const override { return "patent UA 60553, fig. 1"; }
+  std::string source() const override { return "patent UA 60553"; }
+  std::string figure() const override { return "fig. 1"; }
+  std::string good_for() const override {
+    return "smallest: no memory; follows the core of the highlight, cuts its skirt off";
+  }
 
   std::vector<option> options() const override {
     return {coefficient_option({"derived", "published"}, {"exact"}),

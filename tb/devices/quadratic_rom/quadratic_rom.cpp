@@ -38,7 +38,11 @@ class quadratic_rom final : public specular::parabola {
   std::string title() const override {
     return "a quadratic in cos(delta), its coefficient read from a memory";
   }
-  std::string source() const override { return "patent UA 22802, the prototype of UA 60553"; }
+  std::string source() const override { return "patent UA 22802"; }
+  std::string figure() const override { return "UA 60553 fig. 1 with a memory"; }
+  std::string good_for() const override {
+    return "the quadratic with the exact coefficient at small n";
+  }
 
   std::vector<option> options() const override {
     return {coefficient_option({"exact", "derived", "published"}, {}),

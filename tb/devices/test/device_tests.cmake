@@ -14,11 +14,11 @@ function(blysk_case_program program)
   set_target_properties(${program} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests)
 endfunction()
 
-# blysk_cases(AREA PROGRAM DEVICE FORMATS format... [QUICK format...] SOURCES file...): each case of the sources as a test of
+# blysk_cases(AREA PROGRAM DEVICE FORMATS format... [QUICK format...] [LABEL label] SOURCES file...): each case of the sources as a test of
 # its own, "AREA.DEVICE.FORMAT: case". A case tagged [variants] is tried with each line of the device's file `variants`
-# besides. Tests take the label quick in the formats named so, without further options, and full elsewhere.
+# besides. Tests take the label quick in the formats named so, without further options, and full elsewhere; LABEL comes on top.
 function(blysk_cases area program device)
-  cmake_parse_arguments(PARSE_ARGV 3 arg "" "" "FORMATS;QUICK;SOURCES")
+  cmake_parse_arguments(PARSE_ARGV 3 arg "" "LABEL" "FORMATS;QUICK;SOURCES")
   string(REPLACE - _ identifier ${device})
   set(variants "")
   set(file ${PROJECT_SOURCE_DIR}/tb/devices/${identifier}/variants)
@@ -35,11 +35,12 @@ function(blysk_cases area program device)
       set(tags "${CMAKE_MATCH_2}")
       string(REPLACE "," "\\," pattern "${case}")  # a comma ends a pattern of Catch2
       foreach(format IN LISTS arg_FORMATS)
-        blysk_case("${area}.${device}.${format}: ${case}" ${program} "${pattern}" ${device} ${format} "" "${arg_QUICK}")
+        blysk_case("${area}.${device}.${format}: ${case}" ${program} "${pattern}" ${device} ${format} "" "${arg_QUICK}"
+                   "${arg_LABEL}")
         if(tags MATCHES "\\[variants\\]")
           foreach(options IN LISTS variants)
             blysk_case("${area}.${device}.${format}: ${case}, ${options}" ${program} "${pattern}" ${device} ${format}
-                       "${options}" "")
+                       "${options}" "" "${arg_LABEL}")
           endforeach()
         endif()
       endforeach()
@@ -47,14 +48,14 @@ function(blysk_cases area program device)
   endforeach()
 endfunction()
 
-function(blysk_case name program pattern device format options quick)
+function(blysk_case name program pattern device format options quick label_besides)
   add_test(NAME "${name}" COMMAND ${program} "${pattern}")
   set(label full)
   if(format IN_LIST quick)
     set(label quick)
   endif()
   # A name that no case has is a success for Catch2 2.
-  set_tests_properties("${name}" PROPERTIES LABELS ${label} FAIL_REGULAR_EXPRESSION "No test"
+  set_tests_properties("${name}" PROPERTIES LABELS "${label};${label_besides}" FAIL_REGULAR_EXPRESSION "No test"
     ENVIRONMENT "BLYSK_DEVICE=${device};BLYSK_FORMAT=${format};BLYSK_OPTIONS=${options}")
 endfunction()
 

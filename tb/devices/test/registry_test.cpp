@@ -42,6 +42,8 @@ TEST_CASE("devices have names of their own, and say what they are", "[registry]"
     CHECK(names.insert(each->name()).second);
     CHECK_FALSE(each->title().empty());
     CHECK_FALSE(each->source().empty());
+    CHECK_FALSE(each->figure().empty());
+    CHECK_FALSE(each->good_for().empty());
     CHECK(each->identifier().find('-') == std::string::npos);
     std::set<std::string> options;
     for (const option& known : each->options()) {

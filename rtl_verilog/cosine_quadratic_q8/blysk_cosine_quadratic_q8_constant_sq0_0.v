@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+// Constant: y_o = RAW, the integer on the wires.
+// device cosine-quadratic, format q8, gated by the sign of adder 8, constants weigh unity, exported from the SystemC model.
+`default_nettype none
+
+module blysk_cosine_quadratic_q8_constant_sq0_0 #(
+    parameter RAW = 1'd0
+) (
+    output wire signed y_o  // SQ0.0
+);
+
+  assign y_o = RAW;
+
+endmodule
+
+`default_nettype wire
