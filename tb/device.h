@@ -110,6 +110,12 @@ class device {
   /// The ports; those of data and of results are in the order of columns.
   std::vector<port> ports(const selection& asked) const;
 
+  /// True if each row of the stimulus is a scan line, whose pixels are the rows of the results.
+  virtual bool draws_lines() const { return false; }
+
+  /// Rows of the results that a row of the stimulus makes.
+  virtual std::int64_t pixels(const columns& /*in*/, std::size_t /*row*/) const { return 1; }
+
   /// The SystemC modules between signals of their own. SystemC elaborates once: a process makes one.
   /// \param clock_period_ns  of the clock at the device's clk; 0: a plain signal, which the caller writes
   std::unique_ptr<netlist::elaborated> elaborate(const selection& asked, double clock_period_ns) const;

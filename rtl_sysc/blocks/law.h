@@ -131,11 +131,16 @@ template <class T>
 constexpr T is_last(T left) {
   return static_cast<T>(left == static_cast<T>(1));
 }
+/// left - 1, and 0 after 0.
+template <class T>
+constexpr T one_less(T left) {
+  return select(is_idle(left), left, static_cast<T>(left - static_cast<T>(1)));
+}
+
 /// Steps left after a clock edge: `steps` if an operation starts, else one less than before, down to 0.
 template <class T>
 constexpr T count_down(T start, T steps, T left) {
-  return select(starts(start, left), steps,
-                select(left == static_cast<T>(0), left, static_cast<T>(left - static_cast<T>(1))));
+  return select(starts(start, left), steps, one_less(left));
 }
 
 /// True at the clock edge that ends a strobe: it was at one, it is at zero.

@@ -80,18 +80,14 @@ json device_listing(const device& of) {
     rom_bits[std::string(format)] = of.rom_bits(choose(of.name(), std::string(format)));
   const selection asked = choose(of.name(), kTableFormat);
   const std::vector<port> ports = of.ports(asked);
-  return {{"name", of.name()},
-          {"title", of.title()},
-          {"source", of.source()},
-          {"figure", of.figure()},
-          {"good_for", of.good_for()},
-          {"stimulus", columns_of(ports, port::role::data)},
-          {"results", columns_of(ports, port::role::result)},
-          {"blocks", blocks_of(asked)},
-          {"rom_bits", rom_bits},
-          {"latency_cycles", latency_of(ports)},
-          {"errors", errors_of(of)},
-          {"options", options_of(of)}};
+  json results = columns_of(ports, port::role::result);
+  if (of.draws_lines()) results.insert(results.begin(), {"line", "pixel"});
+  return {{"name", of.name()},         {"title", of.title()},
+          {"source", of.source()},     {"figure", of.figure()},
+          {"good_for", of.good_for()}, {"stimulus", columns_of(ports, port::role::data)},
+          {"results", results},        {"blocks", blocks_of(asked)},
+          {"rom_bits", rom_bits},      {"latency_cycles", latency_of(ports)},
+          {"errors", errors_of(of)},   {"options", options_of(of)}};
 }
 
 json listing() {

@@ -200,8 +200,9 @@ std::string stimulus_header(const std::vector<port>& ports) {
   return column_names(ports, port::role::data);
 }
 
-std::string results_header(const std::vector<port>& ports) {
-  return stimulus_header(ports) + "," + column_names(ports, port::role::result);
+std::string results_header(const std::vector<port>& ports, row_kind kind) {
+  return (kind == row_kind::pixels ? "line,pixel" : stimulus_header(ports)) + "," +
+         column_names(ports, port::role::result);
 }
 
 class stimulus_reader::row_parser {
@@ -259,24 +260,39 @@ void stimulus_reader::read(columns& block) {
   block.resize(size);
 }
 
-void append_rows(fmt::memory_buffer& text, const std::vector<port>& ports, const row_block& block) {
+void append_rows(fmt::memory_buffer& text, const std::vector<port>& ports, const row_block& block,
+                 row_kind kind) {
   if (block.writes.size() == 0) return;
   std::vector<field_writer> fields;
   const auto add = [&](port::role role, const columns& from) {
     const std::vector<port> of = of_role(ports, role);
     for (std::size_t i = 0; i < of.size(); ++i) fields.emplace_back(from[i], of[i].carries->frac);
   };
-  add(port::role::data, block.writes);
+  if (kind == row_kind::writes) add(port::role::data, block.writes);
   add(port::role::result, block.computed);
   const std::size_t size = text.size();
-  text.resize(size + block.writes.size() * fields.size() * kLongestField);
+  text.resize(size + block.computed.size() * (fields.size() + 2) * kLongestField);
   char* to = text.data() + size;
-  for (std::size_t row = 0; row < block.writes.size(); ++row) {
+  const auto put_row = [&](std::size_t row) {
     for (const field_writer& each : fields) {
       to = each.put(to, row);
       *to++ = ',';
     }
     to[-1] = '\n';
+  };
+  if (kind == row_kind::writes) {
+    for (std::size_t row = 0; row < block.computed.size(); ++row) put_row(row);
+  } else {
+    std::size_t row = 0;
+    for (std::size_t line = 0; line < block.pixels.size(); ++line) {
+      for (std::int64_t pixel = 0; pixel < block.pixels[line]; ++pixel, ++row) {
+        to = put_integer(to, block.first_line + line);
+        *to++ = ',';
+        to = put_integer(to, static_cast<std::uint64_t>(pixel));
+        *to++ = ',';
+        put_row(row);
+      }
+    }
   }
   text.resize(static_cast<std::size_t>(to - text.data()));
 }

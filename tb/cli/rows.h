@@ -22,11 +22,23 @@ inline constexpr std::size_t kRowsPerBlock = 8192;
 struct row_block {
   columns writes;
   columns computed;
+
+  /// Of a device that draws scan lines: how many pixels each line has, and the number of the first line.
+  std::vector<std::int64_t> pixels;
+  std::uint64_t first_line = 0;
 };
 
-/// "n,cos,r,g,b" and "n,cos,r,g,b,brdf,red,green,blue".
+/// What the rows of the results are.
+enum class row_kind {
+  writes,  ///< a row for each of the stimulus, which it repeats
+  pixels   ///< a row for each pixel of a scan line, with the line's number and its own, from 0
+};
+
+/// "n,cos,r,g,b".
 std::string stimulus_header(const std::vector<port>& ports);
-std::string results_header(const std::vector<port>& ports);
+
+/// "n,cos,r,g,b,brdf,red,green,blue", or "line,pixel,red,green,blue".
+std::string results_header(const std::vector<port>& ports, row_kind kind);
 
 /// Reads the stimuli of a device in blocks.
 class stimulus_reader {
@@ -57,8 +69,9 @@ class stimulus_reader {
   std::unique_ptr<row_parser> parser_;
 };
 
-/// Appends a row for each stimulus with its results. Raw integers are exact, without trailing zeros; real ones are as short
-/// as they can be read back.
-void append_rows(fmt::memory_buffer& text, const std::vector<port>& ports, const row_block& block);
+/// Appends the rows of a block. Raw integers are exact, without trailing zeros; real ones are as short as they can be read
+/// back.
+void append_rows(fmt::memory_buffer& text, const std::vector<port>& ports, const row_block& block,
+                 row_kind kind = row_kind::writes);
 
 }  // namespace blysk::cli

@@ -80,6 +80,17 @@ void report(const options& asked, const selection& device, const outcome& run,
   fmt::print(asked.results == "-" ? stderr : stdout, "{}\n", asked.json ? json.dump(2) : text);
 }
 
+/// \throws std::logic_error if the engine has delivered another number of pixels
+void count_pixels(const device& of, row_block& block) {
+  block.pixels.resize(block.writes.size());
+  std::int64_t sum = 0;
+  for (std::size_t row = 0; row < block.writes.size(); ++row)
+    sum += block.pixels[row] = of.pixels(block.writes, row);
+  if (static_cast<std::uint64_t>(sum) != block.computed.size()) {
+    throw std::logic_error(fmt::format("{} pixels were delivered, expected {}", block.computed.size(), sum));
+  }
+}
+
 void run(const options& asked) {
   check(asked);
   const engine_choice& choice = find_engine(asked.engine);
@@ -107,9 +118,10 @@ void run(const options& asked) {
         stimulus,
         [&](row_block& block) {
           simulated->run(block.writes, block.computed);
+          if (device.of().draws_lines()) count_pixels(device.of(), block);
           shown.reach(rows.bytes_read());
         },
-        results);
+        results, device.of().draws_lines() ? row_kind::pixels : row_kind::writes);
     done.clamped = stimulus.clamped();
     done.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   }

@@ -9,7 +9,7 @@
 namespace blysk::cli {
 
 std::uint64_t stream(stimulus_reader& stimulus, const std::function<void(row_block&)>& compute,
-                     output_file& results) {
+                     output_file& results, row_kind kind) {
   constexpr std::size_t kBlocks = 4;  // so that neither side waits for a thread to wake up
   std::array<row_block, kBlocks> ring;
   std::counting_semaphore<kBlocks> empty(kBlocks);
@@ -19,11 +19,11 @@ std::uint64_t stream(stimulus_reader& stimulus, const std::function<void(row_blo
   auto writing = std::async(std::launch::async, [&] {
     try {
       fmt::memory_buffer text;
-      fmt::format_to(std::back_inserter(text), "{}\n", results_header(stimulus.ports()));
+      fmt::format_to(std::back_inserter(text), "{}\n", results_header(stimulus.ports(), kind));
       for (std::size_t k = 0;; ++k) {
         full.acquire();
         const row_block& block = ring[k % kBlocks];
-        append_rows(text, stimulus.ports(), block);
+        append_rows(text, stimulus.ports(), block, kind);
         results.write({text.data(), text.size()});
         text.clear();
         if (block.writes.size() < kRowsPerBlock)
@@ -48,6 +48,7 @@ std::uint64_t stream(stimulus_reader& stimulus, const std::function<void(row_blo
     row_block& block = ring[k % kBlocks];
     try {
       stimulus.read(computed.writes);
+      computed.first_line = rows;
       if (computed.writes.size() != 0) compute(computed);
       block = computed;
     } catch (...) {

@@ -15,6 +15,6 @@ namespace blysk::cli {
 /// \return  how many rows there were
 /// \throws usage_error if the stimulus is wrong or the results cannot be written; they are then not complete
 std::uint64_t stream(stimulus_reader& stimulus, const std::function<void(row_block&)>& compute,
-                     output_file& results);
+                     output_file& results, row_kind kind = row_kind::writes);
 
 }  // namespace blysk::cli

@@ -88,10 +88,14 @@ function(blysk_device_tests device)
     blysk_label_checked(${format} ${prefix}.random.${format} ${prefix}.icarus.${format})
     # Hard cases: the ends of all codes, legal and not; X before and after the reset.
     add_test(NAME ${prefix}.ends.${format} COMMAND lockstep ${device} ${format} ends)
-    add_test(NAME ${prefix}.four_state.${format}
-             COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/four_state.sh $<TARGET_FILE:replay_vectors> ${verilog_folder} ${device} ${format})
-    blysk_label_checked(${format} ${prefix}.ends.${format} ${prefix}.four_state.${format})
-    blysk_label(stability ${prefix}.ends.${format} ${prefix}.four_state.${format})
+    blysk_label_checked(${format} ${prefix}.ends.${format})
+    blysk_label(stability ${prefix}.ends.${format})
+    if(protocol STREQUAL strobes)
+      add_test(NAME ${prefix}.four_state.${format}
+               COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/four_state.sh $<TARGET_FILE:replay_vectors> ${verilog_folder} ${device} ${format})
+      blysk_label_checked(${format} ${prefix}.four_state.${format})
+      blysk_label(stability ${prefix}.four_state.${format})
+    endif()
     if(format IN_LIST exhaustive)
       add_test(NAME ${prefix}.all.${format} COMMAND sweep_verilog ${device} ${format} all)
       blysk_label(full ${prefix}.all.${format})

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // replay_vectors DEVICE FORMAT COUNT --output FOLDER: COUNT random writes and what the bit-accurate model makes of them as
-// FOLDER/vectors.txt, and the device's ports as FOLDER/device.vh, both for replay.v or, for a device that is started,
-// replay_handshake.v.
+// FOLDER/vectors.txt, and the device's ports as FOLDER/device.vh, both for replay.v. For a device that is started the
+// results stand in FOLDER/results.txt, all for replay_handshake.v.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -89,25 +89,36 @@ class replay {
         "`define DEVICE {} device (.{}(clk), .{}(rst_n), .{}(valid){}{}{}{});\n"
         "`define STUCK{}\n",
         is_strobed_ ? fmt::format("`define TRAILING_BITS {}\n", trailing_.width()) : "", level_.width(),
-        results_.width(), asked_.top_name(), name(port::role::clock),
-        name(port::role::reset), name(port::role::valid), connections, trailing_.connections(),
-        level_.connections(), results_.connections(), stuck);
+        results_.width(), asked_.top_name(), name(port::role::clock), name(port::role::reset),
+        name(port::role::valid), connections, trailing_.connections(), level_.connections(),
+        results_.connections(), stuck);
   }
 
-  std::string vectors(std::uint64_t count) const {
-    std::string text;
+  /// A line for each write with strobes; for a device that is started, the rows and their results apart.
+  struct vectors {
+    std::string writes, results;
+  };
+
+  vectors make(std::uint64_t count) const {
+    vectors text;
     const auto model = asked_.of().make_bit(asked_);
     columns out;
     for_random_inputs(asked_, count, 1, [&](const columns& in) {
       model->run(in, out);
       for (std::size_t row = 0; row < in.size(); ++row) {
-        if (is_strobed_) text += digits(in, trailing_columns_, port::role::data, row) + ' ';
-        text += digits(in, level_columns_, port::role::data, row) + ' ' +
-                digits(out, result_columns_, port::role::result, row) + '\n';
+        if (is_strobed_) text.writes += digits(in, trailing_columns_, port::role::data, row) + ' ';
+        text.writes += digits(in, level_columns_, port::role::data, row);
+        text.writes +=
+            is_strobed_ ? ' ' + digits(out, result_columns_, port::role::result, row) + '\n' : "\n";
       }
+      if (is_strobed_) return;
+      for (std::size_t row = 0; row < out.size(); ++row)
+        text.results += digits(out, result_columns_, port::role::result, row) + '\n';
     });
     return text;
   }
+
+  bool is_strobed() const { return is_strobed_; }
 
  private:
   const port& strobe_of(const port& data) const {
@@ -159,7 +170,9 @@ int main(int argc, char** argv) {
         const selection asked = arguments.chosen();
         const replay text(asked);
         write(folder + "/device.vh", text.header());
-        write(folder + "/vectors.txt", text.vectors(writes));
+        const replay::vectors made = text.make(writes);
+        write(folder + "/vectors.txt", made.writes);
+        if (!text.is_strobed()) write(folder + "/results.txt", made.results);
         return 0;
       });
 }

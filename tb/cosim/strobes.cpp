@@ -36,8 +36,7 @@ void strobe_sequence::next(std::span<std::int64_t> levels) {
   }
   for (std::size_t i = 0; i < ports_.size(); ++i) {
     if (ports_[i].is == port::role::reset) levels[i] = cycle_ % (8 * 16) >= 2 ? 1 : 0;
-    if (ports_[i].is == port::role::control || ports_[i].is == port::role::start)
-      levels[i] = bit() ? 1 : 0;
+    if (ports_[i].is == port::role::control || ports_[i].is == port::role::start) levels[i] = bit() ? 1 : 0;
   }
   for (const channel& each : channels_) levels[each.data] = code(each);
   const bool toggled = cycle_ % 2 == 0;

@@ -36,7 +36,7 @@ std::vector<std::int64_t> row_of(const columns& of, std::size_t row) {
 class comparison {
  public:
   explicit comparison(const selection& asked)
-      : ports_(asked.of().ports(asked)), model_(asked.of().make_bit(asked)) {
+      : device_(asked.of()), ports_(device_.ports(asked)), model_(device_.make_bit(asked)) {
     candidates_.push_back({"exported", make_verilator(asked)});
     if (auto reference = make_reference(asked)) candidates_.push_back({"reference", std::move(reference)});
   }
@@ -46,7 +46,16 @@ class comparison {
     for (candidate& each : candidates_) {
       each.verilog->run(in, got_);
       if (got_ == expected_) continue;
-      for (std::size_t row = 0; row < in.size(); ++row) count_row(each, in, row);
+      if (got_.size() != expected_.size()) {
+        ++each.differences;
+        fmt::print("{}: {} rows of results, expected {}\n", each.name, got_.size(), expected_.size());
+        continue;
+      }
+      std::size_t result = 0;
+      for (std::size_t row = 0; row < in.size(); ++row) {
+        for (std::int64_t pixel = 0; pixel < device_.pixels(in, row); ++pixel)
+          count_row(each, in, row, result++);
+      }
     }
     compared_ += in.size();
   }
@@ -64,9 +73,9 @@ class comparison {
   std::uint64_t compared() const { return compared_; }
 
  private:
-  void count_row(candidate& of, const columns& in, std::size_t row) {
-    const auto got = row_of(got_, row);
-    const auto expected = row_of(expected_, row);
+  void count_row(candidate& of, const columns& in, std::size_t row, std::size_t result) {
+    const auto got = row_of(got_, result);
+    const auto expected = row_of(expected_, result);
     if (got == expected) return;
     if (++of.differences > 10) return;  // enough to see a pattern
     fmt::print("{}: {} = {}: got {} = {}, expected {}\n", of.name, column_names(ports_, port::role::data),
@@ -74,6 +83,7 @@ class comparison {
                fmt::join(expected, ","));
   }
 
+  const device& device_;
   std::vector<port> ports_;
   std::unique_ptr<engine> model_;
   std::vector<candidate> candidates_;

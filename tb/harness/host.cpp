@@ -177,7 +177,8 @@ class handshake_host final : public sc_core::sc_module, public host {
     in_ = &in;
     out_ = &out;
     taken_ = delivered_ = 0;
-    idle_ = waited_ = 0;
+    idle_ = 0;
+    waited_ = 0;
     sc_core::sc_start();  // until step() pauses
     in_ = nullptr;
     if (waited_ > kPatienceCycles)

@@ -2,10 +2,9 @@
 // The divider by shifts as its user meets it: formula, bit-accurate model.
 #include <fmt/format.h>
 
-#include <bit>
-
 #include "rtl_sysc/devices/shift_divider/formats.h"
 #include "tb/device.h"
+#include "tb/devices/shift_divider/division.h"
 #include "tb/golden/shift_division.h"
 #include "tb/visit_format.h"
 
@@ -13,27 +12,6 @@ namespace blysk::shift_divider_device {
 namespace {
 
 enum column : std::size_t { kDifference, kLength };
-
-/// The words of the ROM for any number of steps.
-std::vector<std::int64_t> reciprocals(int steps) {
-  std::vector<std::int64_t> words(std::size_t{run_length::max} + 1, 0);
-  for (std::size_t k = 1; k < words.size(); ++k) words[k] = rounded_ratio(1, k, steps);
-  return words;
-}
-
-/// The blocks' laws in the order of the clock edges.
-/// \return  the increment, raw, with `steps` fraction bits
-std::int64_t divide(std::int64_t difference, std::int64_t digits, int steps) {
-  const int width = steps + 1;
-  std::int64_t sum = law::first_bit(digits, width) != 0 ? law::move_up(difference, steps) : 0;
-  std::int64_t shifted = law::move_up(difference, steps - 1);
-  for (int step = 1; step <= steps; ++step) {
-    digits = law::other_bits(digits, width);
-    if (law::first_bit(digits, width) != 0) sum = law::add<std::int64_t>(sum, 0, shifted, 0, 0);
-    shifted = law::halve(shifted);
-  }
-  return sum;
-}
 
 class bit_engine final : public engine {
  public:
@@ -76,7 +54,11 @@ class shift_divider_of final : public device {
   std::string title() const override {
     return "division of a difference by a run length, by shifts and additions";
   }
-  std::string source() const override { return "thesis, fig. 2.13"; }
+  std::string source() const override { return "thesis"; }
+  std::string figure() const override { return "fig. 2.13"; }
+  std::string good_for() const override {
+    return "increments of a scan line without a divider; the error grows with the difference";
+  }
   std::vector<option> options() const override { return {}; }
   void check(const selection&) const override {}
   std::string words(const selection& asked) const override {
@@ -98,16 +80,7 @@ class shift_divider_of final : public device {
   word_lengths widths(const selection& asked) const override { return {{"steps", asked.fraction()}}; }
 
   std::unique_ptr<engine> make_bit(const selection&, const word_lengths& bits) const override {
-    constexpr int kMostSteps = 48;
-    for (const auto& [name, width] : bits) {
-      if (name != "steps")
-        throw std::invalid_argument(fmt::format("word length {} does not exist, expected steps", name));
-      if (width < 1 || width > kMostSteps)
-        throw std::invalid_argument(
-            fmt::format("word length steps {} is outside its range, expected 1..{}", width, kMostSteps));
-    }
-    if (bits.empty()) throw std::invalid_argument("word length steps is missing");
-    return std::make_unique<bit_engine>(bits.at("steps"), storage::i64);
+    return std::make_unique<bit_engine>(steps_of(bits), storage::i64);
   }
 
   std::unique_ptr<engine> make_golden(const selection& asked) const override {
@@ -118,9 +91,7 @@ class shift_divider_of final : public device {
 
   /// Powers of two, which have one digit.
   std::vector<std::int64_t> corners(const selection&, std::span<const std::int64_t>) const override {
-    std::vector<std::int64_t> codes;
-    for (std::int64_t k = 2; k <= run_length::max; k *= 2) codes.push_back(k);
-    return codes;
+    return powers_of_two();
   }
 };
 

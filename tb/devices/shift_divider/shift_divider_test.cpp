@@ -58,7 +58,8 @@ TEST_CASE("powers of two and a run of one pixel are exact", "[shift-divider]") {
   }
 }
 
-TEST_CASE("the error of an increment is at most half a place of 1/k times the difference", "[shift-divider]") {
+TEST_CASE("the error of an increment is at most half a place of 1/k times the difference",
+          "[shift-divider]") {
   for (const char* format : {"q8", "q16", "q24"}) {
     const selection asked = choose("shift-divider", format);
     const auto model = asked.of().make_bit(asked);

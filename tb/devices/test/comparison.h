@@ -15,26 +15,35 @@ namespace blysk::test {
 class comparison {
  public:
   comparison(const selection& asked, std::unique_ptr<engine> tested, std::unique_ptr<engine> reference)
-      : ports_(asked.of().ports(asked)), tested_(std::move(tested)), reference_(std::move(reference)) {}
+      : device_(asked.of()),
+        ports_(device_.ports(asked)),
+        tested_(std::move(tested)),
+        reference_(std::move(reference)) {}
 
   void check(const columns& writes) {
     tested_->run(writes, from_tested_);
     reference_->run(writes, from_reference_);
-    REQUIRE(from_tested_.size() == writes.size());
-    REQUIRE(from_reference_.size() == writes.size());
+    std::int64_t rows = 0;
+    for (std::size_t row = 0; row < writes.size(); ++row) rows += device_.pixels(writes, row);
+    REQUIRE(from_tested_.size() == static_cast<std::size_t>(rows));
+    REQUIRE(from_reference_.size() == from_tested_.size());
     REQUIRE(from_tested_.width() == from_reference_.width());
     REQUIRE(from_tested_.width() > 0);
     writes_ += writes.size();
     if (from_tested_ == from_reference_) return;
     // The engines may store their results in integers of other widths.
     const auto results = of_role(ports_, port::role::result);
+    std::size_t result = 0;
     for (std::size_t row = 0; row < writes.size(); ++row) {
-      for (std::size_t i = 0; i < results.size(); ++i) {
-        if (from_tested_[i].get(row) == from_reference_[i].get(row)) continue;
-        std::string stimulus = column_names(ports_, port::role::data) + " =";
-        for (const column& each : writes) stimulus.append(" ").append(std::to_string(each.get(row)));
-        CAPTURE(stimulus, results[i].column, from_tested_[i].get(row), from_reference_[i].get(row));
-        FAIL("the engines differ");
+      for (std::int64_t pixel = 0; pixel < device_.pixels(writes, row); ++pixel, ++result) {
+        for (std::size_t i = 0; i < results.size(); ++i) {
+          if (from_tested_[i].get(result) == from_reference_[i].get(result)) continue;
+          std::string stimulus = column_names(ports_, port::role::data) + " =";
+          for (const column& each : writes) stimulus.append(" ").append(std::to_string(each.get(row)));
+          CAPTURE(stimulus, pixel, results[i].column, from_tested_[i].get(result),
+                  from_reference_[i].get(result));
+          FAIL("the engines differ");
+        }
       }
     }
   }
@@ -43,6 +52,7 @@ class comparison {
   std::uint64_t writes() const { return writes_; }
 
  private:
+  const device& device_;
   std::vector<port> ports_;
   std::unique_ptr<engine> tested_, reference_;
   columns from_tested_, from_reference_;

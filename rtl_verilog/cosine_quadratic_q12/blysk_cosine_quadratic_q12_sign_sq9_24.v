@@ -3,14 +3,14 @@
 // device cosine-quadratic, format q12, gated by the sign of adder 8, constants weigh unity, exported from the SystemC model.
 `default_nettype none
 
-module blysk_cosine_quadratic_q12_sign_sq9_24_to (
+module blysk_cosine_quadratic_q12_sign_sq9_24 (
     input  wire signed [33:0] a_i,  // SQ9.24
     output wire negative_o
 );
 
   wire [32:0] unused_a_i_low = a_i[32:0];  // below the last place of the result
 
-  assign negative_o = a_i[33] & 1'd1;
+  assign negative_o = a_i[33];
 
 endmodule
 

@@ -3,14 +3,14 @@
 // device cosine-quadratic, format q16, gated by the sign of adder 8, constants weigh unity, exported from the SystemC model.
 `default_nettype none
 
-module blysk_cosine_quadratic_q16_sign_sq9_32_to (
+module blysk_cosine_quadratic_q16_sign_sq9_32 (
     input  wire signed [41:0] a_i,  // SQ9.32
     output wire negative_o
 );
 
   wire [40:0] unused_a_i_low = a_i[40:0];  // below the last place of the result
 
-  assign negative_o = a_i[41] & 1'd1;
+  assign negative_o = a_i[41];
 
 endmodule
 

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+// Adder: s_o = a_i + b_i + carry_i, the carry being one ulp of s_o.
+// device gouraud, format q12, 12 shifts, exported from the SystemC model.
+`default_nettype none
+
+module blysk_gouraud_q12_add_sq10_12_sq8_12_to_sq10_12 (
+    input  wire signed [22:0] a_i,  // SQ10.12
+    input  wire signed [20:0] b_i,  // SQ8.12
+    input  wire carry_i,
+    output wire signed [22:0] s_o  // SQ10.12
+);
+
+  assign s_o = a_i + {{2{b_i[20]}}, b_i} + {22'b0, carry_i};
+
+endmodule
+
+`default_nettype wire

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// Rounds a_i to nearest, ties up, and clamps it to the codes of y_o.
+// device gouraud, format q8, 8 shifts, exported from the SystemC model.
+`default_nettype none
+
+module blysk_gouraud_q8_quantise_sq10_8_to_uq8_0_clamp (
+    input  wire signed [18:0] a_i,  // SQ10.8
+    output wire [7:0] y_o  // UQ8.0
+);
+
+  wire [19:0] sum = {a_i[18], a_i} + 20'd128;
+  wire [7:0] unused_sum_low = sum[7:0];  // below the last place of the result
+  wire [11:0] shifted = sum[19:8];
+
+  assign y_o = shifted[11] ? 8'd0 : ($signed(shifted) < 12'sd255) ? shifted[7:0] : 8'd255;
+
+endmodule
+
+`default_nettype wire

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+// device shift-divider, format q16, 16 shifts, exported from the SystemC model.
+`default_nettype none
+
+module blysk_shift_divider_q16 (
+    input  wire clk,  // clock
+    input  wire rst_n,  // synchronous, active low
+    input  wire signed [8:0] difference_i,  // difference of the intensities at the ends, SQ8.0, codes -255..255
+    input  wire [9:0] length_i,  // pixels between the ends, UQ10.0, codes 1..1023
+    input  wire start_i,  // takes the inputs while ready_o is one
+    output wire ready_o,  // start_i takes the inputs
+    output wire signed [24:0] increment_o,  // difference / length, SQ8.16
+    output wire valid_o  // increment_o is valid
+);
+
+  wire load;
+  wire step;
+  wire digit;
+  wire signed [23:0] shifted;  // rg_shift: SQ7.16
+  wire [16:0] digits;  // rom_digits: UQ1.16, codes 0..65536
+  wire carry_in;  // ground: UQ1.0
+  wire signed [24:0] sum;  // add_sum: SQ8.16
+
+  blysk_shift_divider_q16_sequencer #(.STEPS(7'd16)) control (
+      .clk(clk), .rst_n(rst_n), .start_i(start_i), .load_o(load), .step_o(step), .ready_o(ready_o), .done_o(valid_o)
+  );  // 16
+  blysk_shift_divider_q16_digit_register_uq1_16 rg_digits (
+      .clk(clk), .rst_n(rst_n), .load_i(load), .step_i(step), .d_i(digits), .digit_o(digit)
+  );
+  blysk_shift_divider_q16_shift_register_sq8_0_to_sq7_16 rg_shift (
+      .clk(clk), .rst_n(rst_n), .load_i(load), .step_i(step), .d_i(difference_i), .q_o(shifted)
+  );
+  blysk_shift_divider_q16_sum_register_sq8_0_sq8_16_to_sq8_16 rg_sum (
+      .clk(clk), .rst_n(rst_n), .load_i(load), .step_i(step), .add_i(digit), .d_i(difference_i), .sum_i(sum), .q_o(increment_o)
+  );
+  blysk_shift_divider_q16_rom_uq10_0_to_uq1_16 rom_digits (.a_i(length_i), .y_o(digits));
+  blysk_shift_divider_q16_constant_uq1_0 #(.RAW(1'd0)) ground (.y_o(carry_in));  // 0
+  blysk_shift_divider_q16_add_sq8_16_sq7_16_to_sq8_16 add_sum (
+      .a_i(increment_o), .b_i(shifted), .carry_i(carry_in), .s_o(sum)
+  );
+
+endmodule
+
+`default_nettype wire
