@@ -170,7 +170,8 @@ std::string drawing_id(const std::string& text) {
 std::string drawing_text(const selection& asked) {
   const auto device = asked.of().elaborate(asked, 0);
   sc_core::sc_start(sc_core::SC_ZERO_TIME);  // binds ports to channels
-  std::string text = drawing(*device).text(asked.of().source() + ", " + asked.of().figure() + ": " + asked.text());
+  std::string text =
+      drawing(*device).text(asked.of().source() + ", " + asked.of().figure() + ": " + asked.text());
   return text.insert(text.find('"' + kId + '"') + 1 + kId.size(), fmt::format("{:016x}", digest(text)));
 }
 
