@@ -27,9 +27,11 @@ std::string escaped(const std::string& text) {
   return result;
 }
 
-/// "Adder" of "Adder: s_o = a_i + b_i + carry_i, ...".
+/// "Adder" of "Adder: s_o = a_i + b_i + carry_i, ...", "Rounds" of "Rounds a_i to nearest".
 std::string kind_of(const block& part) {
-  return part.words().substr(0, part.words().find(':'));
+  const std::string& words = part.words();
+  const std::size_t colon = words.find(':');
+  return words.substr(0, colon != std::string::npos ? colon : words.find(' '));
 }
 
 /// How a kind of block looks.
