@@ -67,7 +67,7 @@ module blysk_cosine_quadratic_q12 (
   blysk_cosine_quadratic_q12_mul_sq1_15_sq1_15_to_uq1_12 mul10 (
       .a_i(line_rounded), .b_i(line_rounded), .p_o(square)
   );
-  blysk_cosine_quadratic_q12_sign_sq9_24_to sign8 (.a_i(line), .negative_o(beyond_root));
+  blysk_cosine_quadratic_q12_sign_sq9_24 sign8 (.a_i(line), .negative_o(beyond_root));
   blysk_cosine_quadratic_q12_key_uq1_12 key12 (.a_i(square), .off_i(beyond_root), .y_o(brdf));
   blysk_cosine_quadratic_q12_mul_uq1_12_uq8_0_to_uq8_12 mul_red (.a_i(brdf), .b_i(r_ks), .p_o(r_o));
   blysk_cosine_quadratic_q12_mul_uq1_12_uq8_0_to_uq8_12 mul_green (.a_i(brdf), .b_i(g_ks), .p_o(g_o));

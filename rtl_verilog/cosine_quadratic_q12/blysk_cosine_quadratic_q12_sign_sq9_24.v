@@ -8,7 +8,9 @@ module blysk_cosine_quadratic_q12_sign_sq9_24 (
     output wire negative_o
 );
 
-  assign negative_o = $signed(a_i) < 34'sd0;
+  wire [32:0] unused_a_i_low = a_i[32:0];  // below the last place of the result
+
+  assign negative_o = a_i[33];
 
 endmodule
 

@@ -8,7 +8,9 @@ module blysk_cosine_quadratic_q16_sign_sq9_32 (
     output wire negative_o
 );
 
-  assign negative_o = $signed(a_i) < 42'sd0;
+  wire [40:0] unused_a_i_low = a_i[40:0];  // below the last place of the result
+
+  assign negative_o = a_i[41];
 
 endmodule
 

@@ -67,7 +67,7 @@ module blysk_cosine_quadratic_q24 (
   blysk_cosine_quadratic_q24_mul_sq1_27_sq1_27_to_uq1_24 mul10 (
       .a_i(line_rounded), .b_i(line_rounded), .p_o(square)
   );
-  blysk_cosine_quadratic_q24_sign_sq9_48_to sign8 (.a_i(line), .negative_o(beyond_root));
+  blysk_cosine_quadratic_q24_sign_sq9_48 sign8 (.a_i(line), .negative_o(beyond_root));
   blysk_cosine_quadratic_q24_key_uq1_24 key12 (.a_i(square), .off_i(beyond_root), .y_o(brdf));
   blysk_cosine_quadratic_q24_mul_uq1_24_uq8_0_to_uq8_24 mul_red (.a_i(brdf), .b_i(r_ks), .p_o(r_o));
   blysk_cosine_quadratic_q24_mul_uq1_24_uq8_0_to_uq8_24 mul_green (.a_i(brdf), .b_i(g_ks), .p_o(g_o));

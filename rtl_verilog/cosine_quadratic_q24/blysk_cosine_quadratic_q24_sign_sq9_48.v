@@ -8,7 +8,9 @@ module blysk_cosine_quadratic_q24_sign_sq9_48 (
     output wire negative_o
 );
 
-  assign negative_o = $signed(a_i) < 58'sd0;
+  wire [56:0] unused_a_i_low = a_i[56:0];  // below the last place of the result
+
+  assign negative_o = a_i[57];
 
 endmodule
 

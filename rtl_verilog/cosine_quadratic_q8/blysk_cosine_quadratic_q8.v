@@ -67,7 +67,7 @@ module blysk_cosine_quadratic_q8 (
   blysk_cosine_quadratic_q8_mul_sq1_11_sq1_11_to_uq1_8 mul10 (
       .a_i(line_rounded), .b_i(line_rounded), .p_o(square)
   );
-  blysk_cosine_quadratic_q8_sign_sq9_16_to sign8 (.a_i(line), .negative_o(beyond_root));
+  blysk_cosine_quadratic_q8_sign_sq9_16 sign8 (.a_i(line), .negative_o(beyond_root));
   blysk_cosine_quadratic_q8_key_uq1_8 key12 (.a_i(square), .off_i(beyond_root), .y_o(brdf));
   blysk_cosine_quadratic_q8_mul_uq1_8_uq8_0_to_uq8_8 mul_red (.a_i(brdf), .b_i(r_ks), .p_o(r_o));
   blysk_cosine_quadratic_q8_mul_uq1_8_uq8_0_to_uq8_8 mul_green (.a_i(brdf), .b_i(g_ks), .p_o(g_o));

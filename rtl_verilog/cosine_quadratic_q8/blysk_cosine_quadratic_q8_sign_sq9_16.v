@@ -8,7 +8,9 @@ module blysk_cosine_quadratic_q8_sign_sq9_16 (
     output wire negative_o
 );
 
-  assign negative_o = $signed(a_i) < 26'sd0;
+  wire [24:0] unused_a_i_low = a_i[24:0];  // below the last place of the result
+
+  assign negative_o = a_i[25];
 
 endmodule
 
