@@ -27,9 +27,11 @@ std::string escaped(const std::string& text) {
   return result;
 }
 
-/// "Adder" of "Adder: s_o = a_i + b_i + carry_i, ...".
+/// "Adder" of "Adder: s_o = a_i + b_i + carry_i, ...", "Rounds" of "Rounds a_i to nearest".
 std::string kind_of(const block& part) {
-  return part.words().substr(0, part.words().find(':'));
+  const std::string& words = part.words();
+  const std::size_t colon = words.find(':');
+  return words.substr(0, colon != std::string::npos ? colon : words.find(' '));
 }
 
 /// How a kind of block looks.
@@ -170,7 +172,8 @@ std::string drawing_id(const std::string& text) {
 std::string drawing_text(const selection& asked) {
   const auto device = asked.of().elaborate(asked, 0);
   sc_core::sc_start(sc_core::SC_ZERO_TIME);  // binds ports to channels
-  std::string text = drawing(*device).text(asked.of().source() + ", " + asked.of().figure() + ": " + asked.text());
+  std::string text =
+      drawing(*device).text(asked.of().source() + ", " + asked.of().figure() + ": " + asked.text());
   return text.insert(text.find('"' + kId + '"') + 1 + kId.size(), fmt::format("{:016x}", digest(text)));
 }
 

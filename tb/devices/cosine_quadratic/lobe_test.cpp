@@ -57,7 +57,7 @@ TEST_CASE("comparator 11 passes the second lobe from n = 3 on, whatever the limi
     std::size_t passed = 0;
     for (std::size_t code = 0; code <= 256; ++code) {
       if (is_beyond_root(n, code, 8)) {
-        passed += published[n][code] > 0 ? 1 : 0;
+        passed += published[n][code] > 0 ? 1U : 0U;
       } else {
         // Within the lobe it passes the square or nothing.
         REQUIRE((published[n][code] == lobe[n][code] || published[n][code] == 0));

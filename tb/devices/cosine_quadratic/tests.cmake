@@ -2,3 +2,4 @@
 # What the functions that declare a device's tests have to know of this one.
 set(family specular)  # registers and colour multipliers of rtl_sysc/devices/specular.h
 set(has_bound ON)     # within which its BRDF is that of its formula
+set(changed_reference "s/}}} + 3/}}} + 0/")  # m of reference.v rounded down

@@ -40,9 +40,7 @@ class quadratic_rom final : public specular::parabola {
   }
   std::string source() const override { return "patent UA 22802"; }
   std::string figure() const override { return "UA 60553 fig. 1 with a memory"; }
-  std::string good_for() const override {
-    return "the quadratic with the exact coefficient at small n";
-  }
+  std::string good_for() const override { return "the quadratic with the exact coefficient at small n"; }
 
   std::vector<option> options() const override {
     return {coefficient_option({"exact", "derived", "published"}, {}),

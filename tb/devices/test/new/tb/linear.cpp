@@ -45,9 +45,7 @@ class linear final : public device_of_points {
   std::string title() const override { return "a straight line in cos(delta)"; }
   std::string source() const override { return "a toy"; }
   std::string figure() const override { return "a line"; }
-  std::string good_for() const override {
-    return "trying the steps of the page";
-  }
+  std::string good_for() const override { return "trying the steps of the page"; }
   std::vector<option> options() const override { return {}; }
   void check(const selection&) const override {}
   std::string words(const selection&) const override { return ""; }
