@@ -45,7 +45,7 @@ struct digit_register : sc_core::sc_module {
   template <class Reader>
   void describe(Reader& reader) const {
     reader.block_is("digit_register",
-                    "Gives the digits of d_i one after the other, the first while load_i is one.");
+                    "Digit register: the digits of d_i one after the other, the first while load_i is one.");
     const auto load = reader.read(load_i);
     const auto d = reader.read(d_i, D{});
     const auto q = reader.read(held);

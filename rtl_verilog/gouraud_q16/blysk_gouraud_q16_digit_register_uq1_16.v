@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Gives the digits of d_i one after the other, the first while load_i is one.
+// Digit register: the digits of d_i one after the other, the first while load_i is one.
 // device gouraud, format q16, 16 shifts, exported from the SystemC model.
 `default_nettype none
 

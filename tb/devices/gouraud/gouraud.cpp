@@ -6,23 +6,15 @@
 
 #include "rtl_sysc/devices/gouraud/formats.h"
 #include "tb/device.h"
+#include "tb/devices/scan_line.h"
 #include "tb/devices/shift_divider/division.h"
 
 namespace blysk::gouraud_device {
 namespace {
 
-enum column : std::size_t { kLength, kLeft, kRight = kLeft + 3 };
-constexpr std::size_t kChannels = 3;
+using scan_line::kChannels;
 
-std::int64_t pixels_of(const columns& in, std::size_t row) {
-  return in[kLength].get(row) + 1;
-}
-
-std::size_t pixels_of_all(const columns& in) {
-  std::int64_t sum = 0;
-  for (std::size_t row = 0; row < in.size(); ++row) sum += pixels_of(in, row);
-  return static_cast<std::size_t>(sum);
-}
+enum column : std::size_t { kLength = scan_line::kLength, kLeft, kRight = kLeft + kChannels };
 
 /// The blocks' laws in the order of the clock edges.
 class bit_engine final : public engine {
@@ -32,22 +24,20 @@ class bit_engine final : public engine {
 
  private:
   void compute(const columns& in, columns& out) override {
-    out.resize(pixels_of_all(in));
-    std::size_t first = 0;
-    for (std::size_t row = 0; row < in.size(); ++row) {
-      for (std::size_t channel = 0; channel < kChannels; ++channel) draw(in, row, channel, out, first);
-      first += static_cast<std::size_t>(pixels_of(in, row));
-    }
+    scan_line::for_channels(in, out,
+                            [&](std::size_t row, std::size_t channel, std::size_t first, std::size_t pixels) {
+                              draw(in, row, channel, out, first, pixels);
+                            });
   }
 
-  void draw(const columns& in, std::size_t row, std::size_t channel, columns& out, std::size_t first) const {
+  void draw(const columns& in, std::size_t row, std::size_t channel, columns& out, std::size_t first,
+            std::size_t pixels) const {
     const std::int64_t left = in[kLeft + channel].get(row);
     const std::int64_t right = in[kRight + channel].get(row);
     const auto difference = law::add<std::int64_t>(right, 0, law::ones_complement(left, 0), 0, 1);
     const std::int64_t digits = words_[static_cast<std::size_t>(in[kLength].get(row))];
     const std::int64_t increment = shift_divider_device::divide(difference, digits, steps_);
     std::int64_t intensity = law::move_up(left, steps_);
-    const auto pixels = static_cast<std::size_t>(pixels_of(in, row));
     out[channel].visit([&](auto& colours) {
       using element = typename std::remove_reference_t<decltype(colours)>::value_type;
       for (std::size_t x = 0; x < pixels; ++x) {
@@ -70,18 +60,14 @@ class formula_engine final : public engine {
 
  private:
   void compute(const columns& in, columns& out) override {
-    out.resize(pixels_of_all(in));
-    std::size_t pixel = 0;
-    for (std::size_t row = 0; row < in.size(); ++row) {
-      const auto length = static_cast<double>(in[kLength].get(row));
-      for (std::int64_t x = 0; x < pixels_of(in, row); ++x, ++pixel) {
-        for (std::size_t channel = 0; channel < kChannels; ++channel) {
+    scan_line::for_channels(
+        in, out, [&](std::size_t row, std::size_t channel, std::size_t first, std::size_t pixels) {
+          const auto length = static_cast<double>(in[kLength].get(row));
           const double left = in[kLeft + channel].real(row);
-          out[channel].set(pixel,
-                           left + static_cast<double>(x) * (in[kRight + channel].real(row) - left) / length);
-        }
-      }
-    }
+          const double right = in[kRight + channel].real(row);
+          for (std::size_t x = 0; x < pixels; ++x)
+            out[channel].set(first + x, left + static_cast<double>(x) * (right - left) / length);
+        });
   }
 };
 
@@ -89,7 +75,7 @@ class gouraud_interpolator final : public device {
  public:
   std::string name() const override { return "gouraud"; }
   std::string title() const override { return "a scan line between two colours, its increments by shifts"; }
-  std::string source() const override { return "thesis"; }
+  std::string source() const override { return "thesis of Buksha"; }
   std::string figure() const override { return "2.4, fig. 2.13"; }
   std::string good_for() const override {
     return "a pixel a clock in three channels; the error grows along the line";
@@ -101,7 +87,9 @@ class gouraud_interpolator final : public device {
   }
 
   bool draws_lines() const override { return true; }
-  std::int64_t pixels(const columns& in, std::size_t row) const override { return pixels_of(in, row); }
+  std::int64_t pixels(const columns& in, std::size_t row) const override {
+    return scan_line::pixels_of(in, row);
+  }
 
   std::unique_ptr<engine> make_bit(const selection& asked) const override {
     return std::make_unique<bit_engine>(asked.fraction(), storage_of(colour::width, colour::is_signed));

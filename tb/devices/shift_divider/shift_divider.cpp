@@ -54,7 +54,7 @@ class shift_divider_of final : public device {
   std::string title() const override {
     return "division of a difference by a run length, by shifts and additions";
   }
-  std::string source() const override { return "thesis"; }
+  std::string source() const override { return "thesis of Buksha"; }
   std::string figure() const override { return "fig. 2.13"; }
   std::string good_for() const override {
     return "increments of a scan line without a divider; the error grows with the difference";

@@ -83,7 +83,7 @@ TEST_CASE("all inputs are all, each once") {
     WARN("the first " << count << " of " << input_count(asked));
   }
   for (std::size_t i = enumerated; i < data.size(); ++i) {
-    // They are drawn at random: of c codes, 32 c draws leave one out in less than c e^-32 of all seeds.
+    // A code comes again before the last one has come: the sequence needs many times as many rows as there are codes.
     if (count < 32 * alongside[i].size()) continue;
     CAPTURE(data[i].name);
     CHECK(std::ranges::count(alongside[i], false) == 0);

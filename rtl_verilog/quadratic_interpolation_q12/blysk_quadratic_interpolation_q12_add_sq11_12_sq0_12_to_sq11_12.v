@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+// Adder: s_o = a_i + b_i + carry_i, the carry being one ulp of s_o.
+// device quadratic-interpolation, format q12, 12 fraction bits, exported from the SystemC model.
+`default_nettype none
+
+module blysk_quadratic_interpolation_q12_add_sq11_12_sq0_12_to_sq11_12 (
+    input  wire signed [23:0] a_i,  // SQ11.12
+    input  wire signed [12:0] b_i,  // SQ0.12
+    input  wire carry_i,
+    output wire signed [23:0] s_o  // SQ11.12
+);
+
+  assign s_o = a_i + {{11{b_i[12]}}, b_i} + {23'b0, carry_i};
+
+endmodule
+
+`default_nettype wire
