@@ -111,11 +111,14 @@ std::string joined(const json& names, std::string_view separator) {
   return fmt::format("{}", fmt::join(names.get<std::vector<std::string>>(), separator));
 }
 
-/// "3.2 % (n = 1000)", of the table's format; "-" if it was not measured.
-std::string error_text(const json& device, const char* domain, const char* key) {
+/// The table format's row of the domain: "3.2 % (n = 1000)" if relative, "0.28 (n = 500)" if absolute; "-" if there is none.
+std::string error_text(const json& device, const char* domain) {
   for (const auto& row : device["errors"]) {
     if (row["format"] != kTableFormat || row["domain"] != domain) continue;
-    return fmt::format("{:.2g} % (n = {})", 100 * row[key].get<double>(), row["n"].get<int>());
+    const std::string value = row.contains("max_rel_err")
+                                  ? fmt::format("{:.2g} %", 100 * row["max_rel_err"].get<double>())
+                                  : fmt::format("{:.2g}", row["max_abs_err"].get<double>());
+    return fmt::format("{} (n = {})", value, row["n"].get<int>());
   }
   return "-";
 }
@@ -132,8 +135,8 @@ std::vector<std::vector<std::string>> device_table(const json& listed) {
     rows.push_back({each["name"].get<std::string>(),
                     each["source"].get<std::string>() + ", " + each["figure"].get<std::string>(),
                     std::to_string(each["blocks"].size()), number_text(each["rom_bits"][kTableFormat]),
-                    number_text(each["latency_cycles"]), error_text(each, "epicentre", "max_rel_err"),
-                    error_text(each, "whole", "max_abs_err"), each["good_for"].get<std::string>()});
+                    number_text(each["latency_cycles"]), error_text(each, "epicentre"),
+                    error_text(each, "whole"), each["good_for"].get<std::string>()});
   }
   return rows;
 }

@@ -7,23 +7,30 @@
 
 #include "tb/harness/drawing.h"
 #include "tb/harness/text_program.h"
+#include "tb/run_program.h"
+
+namespace {
+
+/// Whether the picture beside the text bears its name.
+bool is_drawn(const std::string& file, const std::string& text) {
+  std::ifstream picture(file.substr(0, file.rfind('.')) + ".svg", std::ios::binary);
+  const std::string drawn(std::istreambuf_iterator<char>(picture), {});
+  return drawn.find('"' + blysk::harness::drawing_id(text) + '"') != std::string::npos;
+}
+
+const blysk::harness::text_program kProgram{
+    .name = "draw_netlist",
+    .description = "The figure of a device from its netlist, for Graphviz's dot",
+    .target = "update_drawings",
+    .text = blysk::harness::drawing_text,
+    .is_made_of = is_drawn};
+
+}  // namespace
 
 int sc_main(int, char**) {
   return 0;
 }  // SystemC's library asks for one
 
 int main(int argc, char** argv) {
-  using namespace blysk;
-  return harness::run_text_program(
-      {.name = "draw_netlist",
-       .description = "The figure of a device from its netlist, for Graphviz's dot",
-       .target = "update_drawings",
-       .text = harness::drawing_text,
-       .is_made_of =
-           [](const std::string& file, const std::string& text) {
-             std::ifstream picture(file.substr(0, file.rfind('.')) + ".svg", std::ios::binary);
-             const std::string drawn(std::istreambuf_iterator<char>(picture), {});
-             return drawn.find('"' + harness::drawing_id(text) + '"') != std::string::npos;
-           }},
-      argc, argv);
+  return blysk::run_program(kProgram.name, [&] { return blysk::harness::run_text(kProgram, argc, argv); });
 }

@@ -8,13 +8,11 @@
 
 #include "tb/device_arguments.h"
 #include "tb/output_file.h"
-#include "tb/run_program.h"
 #include "tb/usage_error.h"
 
 namespace blysk::harness {
-namespace {
 
-int run(const text_program& of, int argc, char** argv) {
+int run_text(const text_program& of, int argc, char** argv) {
   CLI::App program{of.description, of.name};
   asked_device asked;
   std::string output = "-";
@@ -41,12 +39,6 @@ int run(const text_program& of, int argc, char** argv) {
   file.write(text);
   file.commit();
   return 0;
-}
-
-}  // namespace
-
-int run_text_program(const text_program& of, int argc, char** argv) {
-  return blysk::run_program(of.name, [&] { return run(of, argc, argv); });
 }
 
 }  // namespace blysk::harness

@@ -18,8 +18,9 @@ struct text_program {
   std::function<bool(const std::string& file, const std::string& text)> is_made_of = {};
 };
 
-/// Writes the text to standard output or a file, or compares it with the file.
+/// The body of such a program: writes the text to standard output or a file, or compares it with the file.
 /// \return  exit status: 1 if the file that --check names is another
-int run_text_program(const text_program& of, int argc, char** argv);
+/// \throws usage_error, std::invalid_argument  for arguments that are wrong
+int run_text(const text_program& of, int argc, char** argv);
 
 }  // namespace blysk::harness

@@ -3,17 +3,22 @@
 // waves of a device, to standard output or a file; --check compares, exit 1 if the file is another.
 #include "tb/harness/layout.h"
 #include "tb/harness/text_program.h"
+#include "tb/run_program.h"
+
+namespace {
+
+const blysk::harness::text_program kProgram{
+    .name = "wave_layout",
+    .description = "GTKWave's layout for the waves of a device",
+    .target = "update_layouts",
+    .text = [](const blysk::selection& asked) { return blysk::harness::layout_text(asked); }};
+
+}  // namespace
 
 int sc_main(int, char**) {
   return 0;
 }  // SystemC's library asks for one
 
 int main(int argc, char** argv) {
-  using namespace blysk;
-  return harness::run_text_program(
-      {.name = "wave_layout",
-       .description = "GTKWave's layout for the waves of a device",
-       .target = "update_layouts",
-       .text = [](const selection& asked) { return harness::layout_text(asked); }},
-      argc, argv);
+  return blysk::run_program(kProgram.name, [&] { return blysk::harness::run_text(kProgram, argc, argv); });
 }

@@ -141,7 +141,7 @@ class cosine_quadratic final : public specular::device_of_points {
   std::string source() const override { return "thesis of Buksha"; }
   std::string figure() const override { return "fig. 3.1"; }
   std::string good_for() const override {
-    return "smooth end of the highlight, least error over the whole range; energy factors";
+    return "smooth end of the highlight, a third of the quadratic's largest error; energy factors";
   }
 
   std::vector<option> options() const override {

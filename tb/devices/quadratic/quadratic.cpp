@@ -39,7 +39,7 @@ class quadratic final : public specular::parabola {
   std::string source() const override { return "patent UA 60553"; }
   std::string figure() const override { return "fig. 1"; }
   std::string good_for() const override {
-    return "smallest: no memory; follows the core of the highlight, cuts its skirt off";
+    return "no memory; follows the core of the highlight, cuts its skirt off";
   }
 
   std::vector<option> options() const override {
