@@ -85,7 +85,6 @@ std::vector<raw_material> read_mtl(const std::string& path, const std::string& t
   text_lines line(text);
   while (line.next()) {
     if (line.keyword() == "newmtl") {
-      if (line.value().empty()) throw file_error(path, line.number(), "newmtl without a name, expected one");
       materials.emplace_back().name = line.value();
     } else if (materials.empty()) {
       throw file_error(

@@ -162,13 +162,13 @@ class obj_reader {
   };
 
   void read_library(const std::string& name) {
-    std::string bytes;
+    library_text library;
     try {
-      bytes = open_(name);
+      library = open_(name);
     } catch (const usage_error& error) {
       throw missing_library(error.what());
     }
-    for (raw_material& each : read_mtl(name, decoded(name, std::move(bytes)))) {
+    for (raw_material& each : read_mtl(library.path, decoded(library.path, std::move(library.bytes)))) {
       const std::string key = each.name;
       known_.insert_or_assign(key, std::move(each));
     }

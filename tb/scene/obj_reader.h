@@ -12,8 +12,13 @@
 
 namespace blysk::scene {
 
-/// The text of a file beside the one that names it; throws usage_error if it cannot be read.
-using open_library = std::function<std::string(const std::string& name)>;
+/// A material library, as it lies in the file.
+struct library_text {
+  std::string path, bytes;
+};
+
+/// Opens a file beside the one that names it; throws usage_error if it cannot be read.
+using open_library = std::function<library_text(const std::string& name)>;
 
 /// Materials of an MTL file by name, in its order.
 /// \param text  as decoded() gives it

@@ -43,7 +43,8 @@ read_world read_scene(const std::string& name, int density) {
     const auto open = [&](const std::string& library) {
       std::string unix_name = library;
       std::ranges::replace(unix_name, '\\', '/');
-      return read_file((path.parent_path() / unix_name).string());
+      const std::string beside = (path.parent_path() / unix_name).string();
+      return library_text{beside, read_file(beside)};
     };
     read.of.surface = read_obj(name, decoded(name, read_file(name)), open, read.of.messages);
   } else {

@@ -58,7 +58,12 @@ TEST_CASE("our reader of OBJ and assimp see the same surfaces", "[scene][models]
       continue;
     }
     std::vector<std::string> messages;
-    const mesh theirs = read_by_library(entry.path().string(), messages);
+    mesh theirs;
+    try {
+      theirs = read_by_library(entry.path().string(), messages);
+    } catch (const usage_error&) {
+      continue;  // UTF-16 that it takes for an empty file
+    }
     const measures a = measure(ours);
     const measures b = measure(theirs);
     // The library keeps floats: each coordinate is off by half an ulp of its size.

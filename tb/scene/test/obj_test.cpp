@@ -27,8 +27,8 @@ read_file_of_test read(const std::string& obj, const std::map<std::string, std::
   read_file_of_test made;
   const auto open = [&](const std::string& name) {
     const auto found = files.find(name);
-    if (found == files.end()) throw usage_error(name + ": cannot be read");
-    return found->second;
+    if (found == files.end()) throw file_error(name, 0, "cannot be read");
+    return library_text{name, found->second};
   };
   made.of = read_obj("a.obj", decoded("a.obj", obj), open, made.messages);
   return made;
@@ -178,35 +178,40 @@ TEST_CASE("indices are checked where they stand, and may lead ahead", "[scene]")
             .of.triangles.size() == 3);
 }
 
+vec flat(double radius, double angle) {
+  return {radius * std::cos(angle), radius * std::sin(angle), 0};
+}
+
+/// A file of one face.
+template <class Corner>
+std::string polygon_of(int corners, const Corner& at) {
+  std::string text;
+  std::string face("f");
+  for (int i = 0; i < corners; ++i) {
+    const vec corner = at(i);
+    text += fmt::format("v {:.17g} {:.17g} {:.17g}\n", corner.x, corner.y, corner.z);
+    face += fmt::format(" {}", i + 1);
+  }
+  return text + face + "\n";
+}
+
 TEST_CASE("polygons are cut without loss or overlap", "[scene]") {
   // A disc of 200 corners, and a star that is not convex; areas by the shoelace formula.
-  std::string disc;
-  std::string face = "f";
-  for (int i = 0; i < 200; ++i) {
-    disc += fmt::format("v {:.17g} {:.17g} 0\n", std::cos(i * M_PI / 100), std::sin(i * M_PI / 100));
-    face += fmt::format(" {}", i + 1);
-  }
-  auto made = read(disc + face + "\n");
+  auto made = read(polygon_of(200, [](int i) { return flat(1, i * M_PI / 100); }));
   CHECK(made.of.triangles.size() == 198);
   CHECK(area_of(made.of) == Approx(100 * std::sin(M_PI / 100)));
-  std::string star;
-  face = "f";
-  for (int i = 0; i < 10; ++i) {
-    const double radius = i % 2 == 0 ? 2 : 0.5;
-    // In a tilted plane: x + y + z = 0.
-    const double u = radius * std::cos(i * M_PI / 5);
-    const double v = radius * std::sin(i * M_PI / 5);
-    star += fmt::format("v {:.17g} {:.17g} {:.17g}\n", u / std::sqrt(2) + v / std::sqrt(6),
-                        -u / std::sqrt(2) + v / std::sqrt(6), -2 * v / std::sqrt(6));
-    face += fmt::format(" {}", i + 1);
-  }
-  made = read(star + face + "\n");
+  made = read(polygon_of(10, [](int i) {
+    const vec at = flat(i % 2 == 0 ? 2 : 0.5, i * M_PI / 5);  // turned into the plane x + y + z = 0
+    return vec{at.x / std::sqrt(2) + at.y / std::sqrt(6), -at.x / std::sqrt(2) + at.y / std::sqrt(6),
+               -2 * at.y / std::sqrt(6)};
+  }));
   CHECK(made.of.triangles.size() == 8);
   CHECK(area_of(made.of) == Approx(5 * 2 * 0.5 * std::sin(M_PI / 5)));
   CHECK(made.messages.size() == 1);  // of the normals
-  // One that cuts itself is taken as convex, and said.
-  made = read(kSquare + "f 1 3 2 4\n");
-  CHECK(made.messages[0].starts_with("1 polygons that cut themselves"));
+  // One of too many corners is taken as convex, and said.
+  made = read(polygon_of(2002, [](int i) { return flat(i % 2 == 0 ? 2 : 1, i * M_PI / 1001); }));
+  CHECK(made.of.triangles.size() == 2000);
+  CHECK(made.messages[0] == "1 polygons that cut themselves, or of more than 2000 corners, taken as convex");
 }
 
 TEST_CASE("what has no area or no use is dropped and said", "[scene]") {
@@ -230,7 +235,7 @@ TEST_CASE("what has no area or no use is dropped and said", "[scene]") {
 TEST_CASE("missing normals are computed by smoothing groups, or by a crease angle", "[scene]") {
   // Two faces at right angles along the x axis.
   const std::string roof = "v 0 0 0\nv 1 0 0\nv 0 -1 -1\nv 0 -1 1\n";
-  const std::string faces = "f 1 3 2\nf 1 2 4\n";
+  const std::string faces = "f 1 2 3\nf 1 4 2\n";
   const auto normal_at_ridge = [&](const std::string& text) {
     const auto made = read(text);
     return std::pair{made.of.normals[made.of.triangles[0].normal[0]],
@@ -245,17 +250,17 @@ TEST_CASE("missing normals are computed by smoothing groups, or by a crease angl
     CHECK(std::abs(flat_a.z) == Approx(half));
     CHECK(flat_a.z == Approx(-flat_b.z));
   }
-  const auto [other_a, other_b] = normal_at_ridge(roof + "s 1\nf 1 3 2\ns 2\nf 1 2 4\n");
+  const auto [other_a, other_b] = normal_at_ridge(roof + "s 1\nf 1 2 3\ns 2\nf 1 4 2\n");
   CHECK(other_a.z == Approx(-other_b.z));
   // 30 degrees are none; places that are written twice are one.
   const std::string low =
       "v 0 0 0\nv 1 0 0\nv 0 -0.267949192431 -1\nv 0 -0.267949192431 1\nv 0 0 0\nv 1 0 0\n";
-  const auto [low_a, low_b] = normal_at_ridge(low + "f 1 3 2\nf 5 6 4\n");
+  const auto [low_a, low_b] = normal_at_ridge(low + "f 1 2 3\nf 5 4 6\n");
   CHECK(low_a.y == Approx(1));
   CHECK(low_b.y == Approx(1));
 }
 
-TEST_CASE("faces are wound as their own normals say; normals of no length are computed", "[scene]") {
+TEST_CASE("faces are wound as their own normals say, and normals of no length are computed", "[scene]") {
   const auto made = read("vn 0 0 -2\nvn 0 0 0\n" + kSquare + "f 1//1 2//1 3//1\nf 1//2 3//2 4//2\n");
   const auto normal_of = [&](const triangle& of) {
     const vec& a = made.of.positions[of.position[0]];
