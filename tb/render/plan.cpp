@@ -114,7 +114,7 @@ plan make_plan(const scene::world& of, effects asked, lobe_table* table, int cos
   }
   if (has_ambient) made.units.emplace_back("ambient");
   if (has_diffuse) made.units.emplace_back("diffuse");
-  if (made.has_specular()) made.units.push_back("specular: " + device);
+  if (made.has_specular()) made.units.insert(made.units.end(), {"specular", device});
   made.units.emplace_back("saturation");
   if (!has_ambient) made.reasons.emplace_back("ambient off: Ia ka = 0 and nothing shines by itself");
   if (!made.has_specular()) {

@@ -48,7 +48,7 @@ struct plan {
 bool needs_device(const scene::world& of, effects asked);
 
 /// \param table   null if needs_device() says that none is needed
-/// \param device  as text, for the reasons
+/// \param device  what it is called among the units
 plan make_plan(const scene::world& of, effects asked, lobe_table* table, int cos_fraction,
                const std::string& device);
 

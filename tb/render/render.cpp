@@ -269,7 +269,8 @@ plan plan_of(const job& asked) {
     law = asked.device->make_law();
     table.emplace(device, *law);
   }
-  return make_plan(*asked.of, asked.asked, table ? &*table : nullptr, ports.cos_fraction(), device.text());
+  return make_plan(*asked.of, asked.asked, table ? &*table : nullptr, ports.cos_fraction(),
+                   device.top_name());
 }
 
 outcome render(const job& asked) {

@@ -168,7 +168,7 @@ TEST_CASE("the plan of a scene is what it calls for", "[render]") {
   const auto planned = [&](effects asked = effects::automatic) {
     return plan_of(job{.of = &of, .shading = &find_shading("phong"), .asked = asked, .device = from.of()});
   };
-  CHECK(planned().units.size() == 4);
+  CHECK(planned().units.size() == 5);
   CHECK(planned().has_specular());
   CHECK(!planned().at(0, 0).is_grey);
   of.surface.materials[0].ks = {0.5, 0.5, 0.5};
