@@ -102,6 +102,8 @@ plan make_plan(const scene::world& of, effects asked, lobe_table* table, int cos
       light_plan each = used[i] ? plan_light(material, of.lights[k], all) : light_plan{};
       if (each.has_specular) {
         each.lobe_begin = table->begin(each.n);
+        each.below_lobe =
+            std::ldexp(static_cast<double>(std::max<std::int64_t>(0, each.lobe_begin - 1)), -cos_fraction);
         exponents.insert(each.n);
       }
       has_diffuse = has_diffuse || each.has_diffuse;

@@ -25,9 +25,12 @@ struct light_plan {
   std::array<std::uint8_t, 3> specular{};  ///< I_l k_s, 0..255: the colour ports
   int n = 1;
   std::int64_t lobe_begin = 0;  ///< smallest code of cos that adds anything
-  bool has_diffuse = false;     ///< the effect is computed
-  bool has_specular = false;    ///< the device is written
-  bool is_grey = false;         ///< one colour multiplier serves three channels
+  /// A cosine whose code is below the lobe: one code below its begin, where half a code of the rounding and the last bits
+  /// of the vectors cannot lift it. 0 where the lobe begins at 0 or 1.
+  double below_lobe = 0;
+  bool has_diffuse = false;   ///< the effect is computed
+  bool has_specular = false;  ///< the device is written
+  bool is_grey = false;       ///< one colour multiplier serves three channels
 };
 
 struct plan {

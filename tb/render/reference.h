@@ -18,7 +18,8 @@ inline std::array<double, 3> reference_colour(const scene::world& of, const std:
     sum[channel] = material.emitted[channel] + of.ambient[channel] * material.ka[channel];
   for (const scene::light& light : lights) {
     const incidence met = incidence_of(at, view, light);
-    const double lobe = met.nh > 0 ? golden::blinn<double>(material.n, met.nh) : 0;
+    const double nh = half_cosine(at, view, met);
+    const double lobe = nh > 0 ? golden::blinn<double>(material.n, nh) : 0;
     for (std::size_t channel = 0; channel < 3; ++channel) {
       sum[channel] += light.colour[channel] * (material.kd[channel] * met.nl + material.ks[channel] * lobe);
     }

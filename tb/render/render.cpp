@@ -166,8 +166,9 @@ class frame {
       points_->at(of.point[0], near, at);
       const vec view = golden::normalised(view_.eye() - at.position);
       for (std::size_t k = 0; k < lights_.size(); ++k) {
-        const double nh =
-            made_.planned.at(at.material, k).has_specular ? incidence_of(at, view, lights_[k]).nh : 0;
+        const double nh = made_.planned.at(at.material, k).has_specular
+                              ? half_cosine(at, view, incidence_of(at, view, lights_[k]))
+                              : 0;
         if (nh > best) {
           best = nh;
           place = i;

@@ -36,9 +36,11 @@ void shader::add(std::uint32_t index, const point& at) {
         sum[channel] += diffuse_term(light.diffuse[channel], cosine, fraction);
     }
     if (!light.has_specular) continue;
+    if (!all && !(met.is_lit && may_reach(at, view, met, light.below_lobe))) continue;
     // Away from the light or the eye, or where these are opposite, there is no highlight, whatever the lobe is at 0.
-    const bool is_lit = met.is_lit && met.nh > 0;
-    const std::int64_t cosine = cosine_code(met.nh, fraction);
+    const double nh = half_cosine(at, view, met);
+    const bool is_lit = nh > 0;
+    const std::int64_t cosine = cosine_code(nh, fraction);
     const bool adds = is_lit && cosine >= light.lobe_begin;
     if (adds && light.specular != std::array<std::uint8_t, 3>{}) to_.in_highlight[index] = 1;
     if (!adds && !all) continue;

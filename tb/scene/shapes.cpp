@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tb/scene/shapes.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -135,7 +137,7 @@ mesh make_spheres(int density) {
   mesh made;
   for (std::size_t i = 0; i < kExponents.size(); ++i) {
     material each = plain_material();
-    each.name = "n" + std::to_string(kExponents[i]);
+    each.name = fmt::format("n{}", kExponents[i]);
     each.n = kExponents[i];
     each.ka = each.kd = kColours[i / 4];
     made.materials.push_back(each);

@@ -2,12 +2,11 @@
 #include "tb/scene/text_lines.h"
 
 #include <cerrno>
-#include <charconv>
 #include <cstdint>
 #include <cstdio>
-#include <limits>
 #include <memory>
 
+#include "tb/read_number.h"
 #include "tb/usage_error.h"
 
 namespace blysk::scene {
@@ -142,17 +141,9 @@ std::string_view take_word(std::string_view& text) {
 }
 
 std::optional<double> number_of(std::string_view word) {
-  if (word.starts_with('+')) word.remove_prefix(1);
+  // The words "inf" and "nan" of a program whose numbers broke are none.
   if (word.find_first_not_of("0123456789.eE+-") != std::string_view::npos) return {};
-  double value = 0;
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  if (end != word.data() + word.size() || error == std::errc::invalid_argument) return {};
-  if (error != std::errc::result_out_of_range) return value;
-  const bool is_small =
-      word.find("e-") != std::string_view::npos || word.find("E-") != std::string_view::npos;
-  if (is_small) return 0.0;
-  const double infinity = std::numeric_limits<double>::infinity();
-  return word.starts_with('-') ? -infinity : infinity;
+  return read_real(word);
 }
 
 }  // namespace blysk::scene
