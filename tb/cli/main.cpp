@@ -28,13 +28,14 @@ int run(int argc, char** argv) {
   program.set_version_flag("--version", "blysk " BLYSK_VERSION);
   program.footer("Exit status: 0 done, 1 a check failed or results differ, 2 bad use or bad input.");
   blysk::cli::add_simulate(program);
+  blysk::cli::add_render(program);
   blysk::cli::add_model(program);
   blysk::cli::add_export(program);
   blysk::cli::add_list(program);
   // CLI11 would ask for a verb, but not say what was there instead.
   if (argc > 1 && argv[1][0] != '-' && !has_verb(program, argv[1])) {
     throw blysk::usage_error(
-        fmt::format("'{}' is no verb, expected simulate, model, export or list", argv[1]));
+        fmt::format("'{}' is no verb, expected simulate, render, model, export or list", argv[1]));
   }
   try {
     program.parse(argc, argv);

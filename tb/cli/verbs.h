@@ -10,5 +10,6 @@ void add_simulate(CLI::App& program);
 void add_model(CLI::App& program);
 void add_export(CLI::App& program);
 void add_list(CLI::App& program);
+void add_render(CLI::App& program);
 
 }  // namespace blysk::cli

@@ -9,7 +9,7 @@ trap 'rm -rf "$folder"' EXIT
 place=$folder/"a place"
 env -u DESTDIR cmake --install "$build" --prefix "$place" >"$folder/log" || { cat "$folder/log" && exit 1; }
 "$place/bin/blysk" --version | grep -q '^blysk [0-9]'
-"$place/bin/sphere" --help | grep -q '^Usage: sphere'
+"$place/bin/blysk" render --help | grep -q '^Usage: blysk render'
 diff -r --exclude=CMakeLists.txt "$source/rtl_sysc" "$place/include/rtl_sysc"
 diff -r "$source/rtl_verilog" "$place/share/blysk/rtl_verilog"
 diff -r "$source/docs" "$place/share/doc/blysk/docs"

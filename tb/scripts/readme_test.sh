@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# readme_test.sh ROOT BUILD: runs the commands of README.md and of the help of each verb, in a folder of their own beside a
+# readme_test.sh ROOT BUILD: runs the commands of README.md, of docs/scenes.md and of the help of each verb, in a folder of their own beside a
 # link to the build. The commands of README that it does not run stand here with the reason.
 set -euo pipefail
 root=$(readlink -f "$1") build=$(readlink -f "$2")
@@ -27,12 +27,13 @@ while IFS= read -r command; do
     'scripts/wave '* | scripts/wave) continue ;;             # a viewer
     'scripts/run '* | scripts/run)
       [ -x "$root/scripts/run" ] || fail 'no scripts/run'
-      run 'build/bin/sphere --output out --side 32' # what scripts/run starts, in a smaller size
+      # what scripts/run starts, in a smaller size
+      run 'build/bin/blysk render sphere --engine systemc --watch highlight --size 32x32 --output sphere.png --vcd sphere.vcd'
       ;;
     *) run "$command" ;;
   esac
   count=$((count + 1))
-done < <(sed -n 's/^    \([a-z].*\)/\1/p' "$root/README.md")
+done < <(sed -n 's/^    \([a-z].*\)/\1/p' "$root/README.md" "$root/docs/scenes.md")
 [ "$count" -ge 5 ] || fail "README.md has $count commands, expected 5"
 
 # Below "Examples:" of a verb's help each line is a command.

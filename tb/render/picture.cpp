@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tb/scene/picture.h"
+#include "tb/render/picture.h"
 
 #include <png.h>
 
@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <stdexcept>
 
-namespace blysk::scene {
+namespace blysk::render {
 
 void paste(const picture& tile, picture& sheet, int x, int y) {
   for (int row = 0; row < tile.height; ++row) {
@@ -38,4 +38,4 @@ std::string png_of(const picture& image) {
   return bytes;
 }
 
-}  // namespace blysk::scene
+}  // namespace blysk::render

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace blysk::scene {
+namespace blysk::render {
 
 /// RGB picture, 8 bits a channel, row by row from the top, 3 bytes a pixel.
 struct picture {
@@ -33,4 +33,4 @@ picture difference(const picture& a, const picture& b, int gain);
 /// \throws std::runtime_error with libpng's reason
 std::string png_of(const picture& image);
 
-}  // namespace blysk::scene
+}  // namespace blysk::render

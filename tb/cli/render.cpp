@@ -1,0 +1,421 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <systemc>
+#include <thread>
+#include <vector>
+
+#include "tb/cli/engines.h"
+#include "tb/cli/verbs.h"
+#include "tb/device_arguments.h"
+#include "tb/harness/systemc_engine.h"
+#include "tb/output_file.h"
+#include "tb/progress.h"
+#include "tb/render/render.h"
+#include "tb/render/report.h"
+#include "tb/scene/read_scene.h"
+#include "tb/scene/shapes.h"
+
+namespace blysk::cli {
+namespace {
+
+struct options {
+  asked_device device;
+  std::string scene, output, report, vcd, compare;
+  std::string engine = "bit";
+  std::string effects = "auto";
+  std::string size = "512x512";
+  std::string shading = "phong";
+  std::string perspective = "corrected";
+  std::string watch, eye, target, background, ambient;
+  std::vector<std::string> lights;
+  int density = 0;
+  int exponent = 0;
+  double fov_deg = 0;
+  unsigned threads = std::max(1U, std::thread::hardware_concurrency());
+  bool explains = false;
+};
+
+constexpr int kMostPixels = 1 << 14;  // of a side
+
+/// Numbers of a text, separated by commas or by another character.
+template <class Number>
+std::vector<Number> numbers_of(const std::string& option, const std::string& text, const char* form,
+                               char separator = ',') {
+  std::vector<Number> numbers;
+  const char* next = text.data();
+  const char* const end = text.data() + text.size();
+  while (true) {
+    Number value{};
+    const auto [behind, error] = std::from_chars(next, end, value);
+    const bool ends = behind == end || *behind == separator;
+    if (error != std::errc{} || !ends) break;
+    numbers.push_back(value);
+    if (behind == end) return numbers;
+    next = behind + 1;
+  }
+  throw usage_error(fmt::format("{} is '{}', expected {}", option, printable(text), form));
+}
+
+template <class Number>
+std::vector<Number> numbers_of(const std::string& option, const std::string& text, const char* form,
+                               std::initializer_list<std::size_t> counts, char separator = ',') {
+  auto numbers = numbers_of<Number>(option, text, form, separator);
+  if (std::ranges::find(counts, numbers.size()) == counts.end())
+    throw usage_error(fmt::format("{} is '{}', expected {}", option, printable(text), form));
+  return numbers;
+}
+
+scene::vec place_of(const std::string& option, const std::string& text) {
+  const auto at = numbers_of<double>(option, text, "X,Y,Z", {3});
+  for (const double each : at) {
+    if (!(std::abs(each) <= scene::mesh::kLargest))
+      throw usage_error(fmt::format("{} has {}, expected at most {}", option, each, scene::mesh::kLargest));
+  }
+  return {at[0], at[1], at[2]};
+}
+
+scene::rgb colour_of(const std::string& option, const std::string& text) {
+  const auto colour = numbers_of<double>(option, text, "R,G,B, each in [0, 1]", {3});
+  if (!std::ranges::all_of(colour, [](double each) { return each >= 0 && each <= 1; }))
+    throw usage_error(fmt::format("{} is '{}', expected R,G,B, each in [0, 1]", option, text));
+  return {colour[0], colour[1], colour[2]};
+}
+
+/// "X,Y,Z" or "X,Y,Z,R,G,B": a direction; "@X,Y,Z": a place.
+scene::light light_of(const std::string& text) {
+  scene::light made;
+  made.is_point = text.starts_with('@');
+  const std::string numbers = text.substr(made.is_point ? 1 : 0);
+  const auto values =
+      numbers_of<double>("--light", numbers, "X,Y,Z or X,Y,Z,R,G,B, with @ before it a place", {3, 6});
+  const std::size_t split = numbers.find(',', numbers.find(',', numbers.find(',') + 1) + 1);
+  made.at = place_of("--light", numbers.substr(0, split));
+  if (values.size() == 6) made.colour = colour_of("--light", numbers.substr(split + 1));
+  if (!made.is_point && golden::dot(made.at, made.at) == 0)
+    throw usage_error("--light is 0,0,0, expected a direction");
+  return made;
+}
+
+/// What the command line says of the scene comes before what its file says.
+void apply(const options& asked, scene::world& to) {
+  if (!asked.lights.empty()) {
+    to.lights.clear();
+    std::ranges::transform(asked.lights, std::back_inserter(to.lights), light_of);
+  }
+  if (!asked.ambient.empty()) to.ambient = colour_of("--ambient", asked.ambient);
+  if (!asked.background.empty()) to.background = colour_of("--background", asked.background);
+  if (asked.exponent > 0) {
+    for (scene::material& each : to.surface.materials) each.n = asked.exponent;
+  }
+  if (!asked.eye.empty() || !asked.target.empty() || asked.fov_deg > 0) {
+    if (!to.view) to.view = scene::fitted_camera(to.surface);
+    if (!asked.eye.empty()) to.view->eye = place_of("--eye", asked.eye);
+    if (!asked.target.empty()) to.view->target = place_of("--target", asked.target);
+    if (asked.fov_deg > 0) to.view->fov_deg = asked.fov_deg;
+    scene::check_camera("camera", *to.view);
+  }
+}
+
+/// Engines of a job, each made when the plan has use for it: SystemC elaborates once, and only what is needed.
+class job_engines {
+ public:
+  job_engines(const engine_choice& choice, const selection& device) : choice_(choice), device_(device) {}
+
+  engine* of_thread(unsigned thread) {
+    if (choice_.name == "systemc") return systemc();
+    while (made_.size() <= thread) made_.push_back(choice_.make(device_));
+    return made_[thread].get();
+  }
+
+  harness::systemc_engine* systemc() {
+    if (!systemc_) systemc_ = harness::make_systemc(device_);
+    return systemc_.get();
+  }
+
+  /// Of all that have a clock.
+  std::uint64_t cycles() const {
+    std::uint64_t sum = systemc_ ? systemc_->cycles() : 0;
+    for (const auto& each : made_) {
+      if (const auto* clocked = dynamic_cast<const clocked_engine*>(each.get())) sum += clocked->cycles();
+    }
+    return sum;
+  }
+
+ private:
+  const engine_choice& choice_;
+  const selection& device_;
+  std::vector<std::unique_ptr<engine>> made_;
+  std::unique_ptr<harness::systemc_engine> systemc_;
+};
+
+void list_modules(const std::vector<sc_core::sc_object*>& objects, std::vector<std::string>& to) {
+  for (const sc_core::sc_object* each : objects) {
+    if (dynamic_cast<const sc_core::sc_module*>(each) == nullptr) continue;
+    if (each->get_child_objects().empty() || std::string_view(each->name()) != "host")
+      to.emplace_back(each->name());
+    list_modules(each->get_child_objects(), to);
+  }
+}
+
+bool makes_files(const options& asked) {
+  return !asked.output.empty() || !asked.report.empty() || !asked.compare.empty();
+}
+
+/// Whether a result goes to standard output, so that nothing else may.
+bool takes_stdout(const options& asked) {
+  return asked.output == "-" || asked.report == "-" || asked.compare == "-";
+}
+
+void check(const options& asked) {
+  expect_different_files({"--output", "--report", "--vcd", "--compare"},
+                         {asked.output, asked.report, asked.vcd, asked.compare});
+  if (!makes_files(asked) && !asked.explains)
+    throw usage_error("nothing to do, expected --output, --report, --compare or --explain");
+  if (!asked.vcd.empty() && asked.watch.empty() && asked.engine != "systemc") {
+    throw usage_error(fmt::format(
+        "--vcd records signals and engine {} has none, expected --watch or engine systemc", asked.engine));
+  }
+  if (!asked.watch.empty() && asked.engine == "golden")
+    throw usage_error(
+        "--watch runs SystemC among other writes, expected an engine of the same numbers: bit, systemc, "
+        "verilator");
+}
+
+/// None: the row through the highlight.
+std::optional<render::rectangle> watch_of(const options& asked, const render::job& job) {
+  if (asked.watch.empty() || asked.watch == "highlight") return {};
+  const auto at =
+      numbers_of<int>("--watch", asked.watch, "highlight, X,Y or X,Y,WIDTH,HEIGHT in pixels", {2, 4});
+  const render::rectangle pixels{at[0], at[1], at.size() == 4 ? at[2] : 1, at.size() == 4 ? at[3] : 1};
+  const bool is_inside = pixels.x >= 0 && pixels.y >= 0 && pixels.width >= 1 && pixels.height >= 1 &&
+                         pixels.width <= job.width - pixels.x && pixels.height <= job.height - pixels.y;
+  if (!is_inside)
+    throw usage_error(fmt::format("--watch is {}, expected pixels of a picture of {} x {}", asked.watch,
+                                  job.width, job.height));
+  return pixels;
+}
+
+/// What the scene file says where the command line says nothing.
+void take_presets(const CLI::App& verb, const std::map<std::string, std::string>& from, options& to) {
+  const std::map<std::string, std::string*> places{
+      {"size", &to.size},     {"shading", &to.shading},      {"perspective", &to.perspective},
+      {"engine", &to.engine}, {"device", &to.device.device}, {"format", &to.device.format}};
+  for (const auto& [name, value] : from) {
+    if (verb.get_option("--" + name)->count() == 0) *places.at(name) = value;
+  }
+}
+
+void set_size(const options& asked, render::job& job) {
+  const auto size = numbers_of<int>("--size", asked.size, "WIDTHxHEIGHT, each 1 to 16384", {2}, 'x');
+  if (std::ranges::any_of(size, [](int each) { return each < 1 || each > kMostPixels; }))
+    throw usage_error(
+        fmt::format("--size is {}, expected WIDTHxHEIGHT, each 1 to {}", asked.size, kMostPixels));
+  job.width = size[0];
+  job.height = size[1];
+}
+
+/// Opens the waves of what is watched, or of everything, and closes them when it is done.
+class waves {
+ public:
+  waves(const std::string& path, job_engines& engines) : path_(path), engines_(engines) {
+    if (path.empty()) return;
+    file_.emplace(path, kEnding);
+    if (file_->temporary_path().empty())
+      throw file_error(path, 0, "is no regular file, expected one to write");
+  }
+  void start() {
+    if (!file_) return;
+    const std::string& path = file_->temporary_path();
+    engines_.systemc()->trace(path.substr(0, path.size() - kEnding.size()));
+    is_running_ = true;
+  }
+  void stop() {
+    if (!is_running_) return;
+    is_running_ = false;
+    if (!engines_.systemc()->stop_trace())
+      throw file_error(path_, 0, "cannot be written to its end, expected room for the waves");
+  }
+  void commit() {
+    if (file_) file_->commit();
+  }
+
+ private:
+  static constexpr std::string_view kEnding = ".vcd";  // SystemC appends it
+  const std::string& path_;
+  job_engines& engines_;
+  std::optional<output_file> file_;
+  bool is_running_ = false;
+};
+
+/// The files that were asked for: opened first, so that none is written if one cannot be.
+class result_files {
+ public:
+  explicit result_files(const options& asked) {
+    open(picture_, asked.output);
+    open(report_, asked.report);
+    open(sheet_, asked.compare);
+  }
+  void write(const render::job& job, const render::outcome& made, const render::circumstances& in) {
+    if (picture_) picture_->write(render::png_of(made.image));
+    if (report_) report_->write(render::report_json(job, made, in));
+    if (sheet_) sheet_->write(render::png_of(render::comparison(made, in)));
+    for (auto* each : {&picture_, &report_, &sheet_}) {
+      if (*each) (*each)->close();
+    }
+  }
+  void commit() {
+    for (auto* each : {&picture_, &report_, &sheet_}) {
+      if (*each) (*each)->commit();
+    }
+  }
+
+ private:
+  static void open(std::optional<output_file>& file, const std::string& path) {
+    if (!path.empty()) file.emplace(path);
+  }
+  std::optional<output_file> picture_, report_, sheet_;
+};
+
+void run(const CLI::App& verb, options asked) {
+  const auto started = std::chrono::steady_clock::now();
+  scene::read_world read = scene::read_scene(asked.scene, asked.density);
+  take_presets(verb, read.options, asked);
+  check(asked);
+  apply(asked, read.of);
+  for (const std::string& each : read.of.messages)
+    fmt::print(stderr, "blysk: {}: {}\n", printable(asked.scene), printable(each));
+  const engine_choice& choice = find_engine(asked.engine);
+  const selection device = asked.device.choose(choice.serves);
+  job_engines engines(choice, device);
+  const bool is_clocked = asked.engine == "systemc" || asked.engine == "verilator";
+  const render::device_source source{
+      device, [&](unsigned thread) { return engines.of_thread(thread); }, is_clocked,
+      [&] {
+        return choice.serves == purpose::formula ? device.of().make_golden(device)
+                                                 : device.of().make_bit(device);
+      }};
+  render::job job{.of = &read.of, .shading = &render::find_shading(asked.shading), .device = &source};
+  set_size(asked, job);
+  if (asked.perspective != "corrected" && asked.perspective != "screen")
+    throw usage_error(
+        fmt::format("perspective {} does not exist, expected corrected or screen", asked.perspective));
+  job.is_corrected = asked.perspective == "corrected";
+  job.asked = asked.effects == "all" ? render::effects::all : render::effects::automatic;
+  job.threads = asked.threads;
+  const auto watch = watch_of(asked, job);
+  if (asked.explains) {
+    const render::plan planned = render::plan_of(job);
+    fmt::print(takes_stdout(asked) ? stderr : stdout, "units: {}\n{}\n", fmt::join(planned.units, ", "),
+               fmt::join(planned.reasons, "\n"));
+    if (!makes_files(asked)) return;
+  }
+  result_files files(asked);
+  waves traced(asked.vcd, engines);
+  const bool needs_device = render::needs_device(read.of, job.asked);
+  if (!needs_device && !asked.vcd.empty())
+    throw usage_error("--vcd has nothing to record: the scene calls for no device, see --explain");
+  if (needs_device) traced.start();
+  if (needs_device && !asked.watch.empty())
+    job.watch = render::watched{watch, engines.systemc(), [&] { traced.stop(); }};
+  const std::chrono::duration<double> reading = std::chrono::steady_clock::now() - started;
+  std::optional<progress> shown;
+  std::size_t before = 0;
+  job.progress = [&](std::size_t done, std::size_t total) {
+    if (!shown) shown.emplace("shading", total);
+    shown->advance(done - before);
+    before = done;
+  };
+  render::outcome made = render::render(job);
+  shown.reset();
+  traced.stop();
+  made.host_s["reading"] = reading.count();
+  render::circumstances in{asked.scene, asked.engine,     asked.shading,
+                           device,      job.is_corrected, is_clocked ? 1 : job.threads};
+  in.cycles = engines.cycles();
+  in.simulated_ns = static_cast<double>(in.cycles) * harness::kClockPeriodNs;
+  in.delta_cycles = in.cycles > 0 ? sc_core::sc_delta_count() : 0;
+  list_modules(sc_core::sc_get_top_level_objects(), in.blocks);
+  in.messages = read.of.messages;
+  files.write(job, made, in);
+  traced.commit();
+  files.commit();
+  fmt::print(takes_stdout(asked) ? stderr : stdout, "{}", render::report_table(job, made, in));
+}
+
+}  // namespace
+
+void add_render(CLI::App& program) {
+  auto* verb = program.add_subcommand("render", "Make a picture of a scene, its highlights by a device");
+  auto asked = std::make_shared<options>();
+  std::string shapes;
+  for (const scene::shape& each : scene::shapes()) shapes += fmt::format("{} ({}), ", each.name, each.help);
+  verb->add_option(
+          "scene", asked->scene,
+          shapes +
+              "or a file: OBJ with MTL, a mesh that assimp reads (3DS, glTF, PLY), or a scene in JSON, see "
+              "docs/scenes.md")
+      ->required();
+  verb->add_option("--output", asked->output, "PNG to write; - for standard output");
+  verb->add_option("--report", asked->report,
+                   "JSON to write: what was computed, what it cost; - for standard output");
+  verb->add_option("--compare", asked->compare,
+                   "PNG to write: Blinn's picture, the device's and four times their difference");
+  add_device_arguments(*verb, asked->device, purpose::formula);
+  std::string engines;
+  for (const engine_choice& each : engine_choices())
+    engines += fmt::format("{}{}: {}", engines.empty() ? "" : "; ", each.name, each.help);
+  verb->add_option("--engine", asked->engine, engines)->capture_default_str();
+  verb->add_option("--effects", asked->effects,
+                   "auto: what the scene calls for; all: every effect for every point")
+      ->check(CLI::IsMember({"auto", "all"}))
+      ->capture_default_str();
+  verb->add_flag("--explain", asked->explains, "print the plan: which effects are computed, and why");
+  verb->add_option("--size", asked->size, "WIDTHxHEIGHT in pixels")->capture_default_str();
+  std::string methods;
+  for (const render::shading_method& each : render::shading_methods())
+    methods += fmt::format("{}{}: {}", methods.empty() ? "" : "; ", each.name, each.help);
+  verb->add_option("--shading", asked->shading, methods)->capture_default_str();
+  verb->add_option("--perspective", asked->perspective,
+                   "corrected: interpolated on the surface; screen: on the picture")
+      ->capture_default_str();
+  verb->add_option("--watch", asked->watch,
+                   "X,Y or X,Y,WIDTH,HEIGHT, or highlight, the row through the brightest one: the writes of "
+                   "these pixels go through SystemC, before all others");
+  verb->add_option("--vcd", asked->vcd, "record the waves of what is watched, or of engine systemc");
+  verb->add_option("--light", asked->lights,
+                   "X,Y,Z[,R,G,B]: light from that direction; @X,Y,Z[,R,G,B]: at that place; may be repeated")
+      ->take_all()
+      ->allow_extra_args(false);
+  verb->add_option("--ambient", asked->ambient, "R,G,B of the light from everywhere, each in [0, 1]");
+  verb->add_option("--background", asked->background, "R,G,B, each in [0, 1]");
+  verb->add_option("--eye", asked->eye, "X,Y,Z of the camera");
+  verb->add_option("--target", asked->target, "X,Y,Z of what it looks at");
+  verb->add_option("--fov", asked->fov_deg, "degrees over the shorter side")->check(CLI::Range(0.001, 179.0));
+  verb->add_option("--exponent", asked->exponent, "of all materials, in place of their own")
+      ->check(CLI::Range(1, 1000));
+  verb->add_option("--density", asked->density, "of a built-in shape's mesh")
+      ->check(CLI::Range(2, scene::kMostDensity));
+  verb->add_option("--threads", asked->threads, "of the host")
+      ->check(CLI::Range(1U, 256U))
+      ->capture_default_str();
+  for (CLI::Option* each : verb->get_options({})) {
+    if (each->get_expected_max() == 1) each->take_last();  // a script's own come first
+  }
+  verb->footer(
+      "Examples:\n"
+      "  blysk render teapot --output teapot.png --report teapot.json\n"
+      "  blysk render spheres --explain\n"
+      "  blysk render sphere --size 64x64 --engine systemc --output sphere.png --vcd sphere.vcd\n"
+      "  blysk render torus --size 128x128 --watch 64,40,8,1 --vcd pixels.vcd --output torus.png");
+  verb->callback([verb, asked] { run(*verb, *asked); });
+}
+
+}  // namespace blysk::cli

@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: Apache-2.0
+// blysk render: its files, its report, and what it says of bad use and bad scenes.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "tb/catch.h"
+#include "tb/cli/test/program.h"
+
+namespace {
+
+using json = nlohmann::json;
+
+constexpr const char* kSmall = " --size 48x48 --density 12 ";
+
+std::string in(const scratch& folder, const std::string& name) {
+  return quoted(folder.path(name));
+}
+
+/// The report of a rendering that has to succeed.
+json rendered(const scratch& folder, const std::string& arguments, const std::string& picture = "p.png") {
+  const outcome run = run_blysk(folder, fmt::format("render {} --output {} --report {}", arguments,
+                                                    in(folder, picture), in(folder, "r.json")));
+  CAPTURE(arguments, run.err);
+  REQUIRE(run.status == 0);
+  CHECK(slurp(folder.path(picture)).starts_with("\x89PNG"));
+  return json::parse(slurp(folder.path("r.json")));
+}
+
+/// Ends with status 2 and one line that has the part, and leaves no file behind.
+void refuses(const scratch& folder, const std::string& arguments, const std::string& part) {
+  const std::vector<std::string> before = folder.names();
+  const outcome run = run_blysk(folder, fmt::format("render {} --output {} --report {}", arguments,
+                                                    in(folder, "x.png"), in(folder, "x.json")));
+  CAPTURE(arguments, run.err, part);
+  CHECK(run.status == 2);
+  CHECK(run.out.empty());
+  CHECK(run.err.starts_with("blysk: "));
+  CHECK(std::count(run.err.begin(), run.err.end(), '\n') == 1);
+  CHECK(run.err.find(part) != std::string::npos);
+  CHECK(folder.names().size() == before.size());
+}
+
+const std::string kTriangle = "v -1 -1 0\nv 1 -1 0\nv 0 1 0\n";
+
+}  // namespace
+
+TEST_CASE("the report has what was computed and what it cost", "[cli][render]") {
+  const scratch folder;
+  const json report =
+      rendered(folder, std::string("sphere --engine systemc") + kSmall + "--watch highlight --vcd " +
+                           in(folder, "w.vcd") + " --compare " + in(folder, "c.png"));
+  for (const char* key : {"pixels", "pixels_in_highlight", "device_writes", "triangles",
+                          "triangles_in_highlight", "units", "simulated_ns", "nmse", "messages"}) {
+    CAPTURE(key);
+    CHECK(report.contains(key));
+  }
+  CHECK(report["triangles"] == 12 * 24 * 2 - 2 * 24);
+  // The sphere fills nine tenths of the side.
+  CHECK(report["pixels"].get<double>() == Approx(3.14159 / 4 * 0.81 * 48 * 48).epsilon(0.03));
+  CHECK(report["pixels_in_highlight"] > 20);
+  CHECK(report["device_writes"] == report["pixels_in_highlight"]);
+  CHECK(report["watched_writes"] > 5);
+  CHECK(report["watched_writes"] < report["device_writes"]);
+  CHECK(report["blocks"].size() > 10);
+  CHECK(report["cycles"] >= 2 * report["device_writes"].get<int>());
+  CHECK(report["simulated_ns"] == 10 * report["cycles"].get<int>());
+  CHECK(report["nmse"] > 0);
+  CHECK(report["units"] == json{"ambient", "diffuse", "specular", top_of("q16"), "saturation"});
+  CHECK(report["messages"].empty());
+  CHECK(slurp(folder.path("c.png")).starts_with("\x89PNG"));
+  const std::string waves = slurp(folder.path("w.vcd"));
+  CHECK(waves.find("$enddefinitions") != std::string::npos);
+  CHECK(waves.find("cos18") != std::string::npos);
+}
+
+TEST_CASE("engines, threads, watched pixels and left out effects change no bit of the picture",
+          "[cli][render]") {
+  const scratch folder;
+  for (const char* shading : {"phong", "gouraud", "flat", "polynomial"}) {
+    const std::string scene = fmt::format("spheres {} --shading {} ", kSmall, shading);
+    const json report = rendered(folder, scene + "--threads 1", "first.png");
+    const std::string first = slurp(folder.path("first.png"));
+    for (const char* options :
+         {"--threads 3", "--effects all --threads 2", "--engine systemc", "--engine systemc --effects all",
+          "--engine verilator", "--engine verilator --effects all", "--watch 20,18,12,4",
+          "--watch highlight --effects all"}) {
+      CAPTURE(shading, options);
+      const json other = rendered(folder, scene + options);
+      CHECK(slurp(folder.path("p.png")) == first);
+      const bool all = std::string(options).find("all") != std::string::npos;
+      CHECK(other["pixels_in_highlight"] == report["pixels_in_highlight"]);
+      CHECK(other["device_writes"] == (all ? report["points"] : report["device_writes"]));
+    }
+    rendered(folder, scene + "--engine golden", "golden.png");
+    rendered(folder, scene + "--engine golden --effects all");
+    CHECK(slurp(folder.path("p.png")) == slurp(folder.path("golden.png")));
+  }
+}
+
+TEST_CASE("a scene without highlights has no device and no clock", "[cli][render]") {
+  const scratch folder;
+  folder.write("dull.json", R"({"mesh": "sphere", "materials": {"*": {"ks": [0, 0, 0]}}})");
+  folder.write("dark.json", R"({"mesh": "sphere", "lights": []})");
+  for (const char* name : {"dull.json", "dark.json"}) {
+    CAPTURE(name);
+    const json report = rendered(folder, in(folder, name) + " --engine systemc" + kSmall);
+    CHECK(report["device_writes"] == 0);
+    CHECK(report["simulated_ns"] == 0);
+    CHECK(report["blocks"].empty());
+    for (const std::string unit : report["units"]) CHECK(unit.find("specular") == std::string::npos);
+    CHECK(report["nmse"].get<double>() < 1e-4);  // nothing but roundings
+    const std::string picture = slurp(folder.path("p.png"));
+    rendered(folder, in(folder, name) + " --engine systemc --effects all" + kSmall);
+    CHECK(slurp(folder.path("p.png")) == picture);
+  }
+  refuses(folder, in(folder, "dull.json") + " --engine systemc --vcd " + in(folder, "w.vcd"),
+          "nothing to record");
+}
+
+TEST_CASE("the plan says what is computed and why", "[cli][render]") {
+  const scratch folder;
+  const outcome run = run_blysk(folder, "render sphere --explain --format q8");
+  CHECK(run.status == 0);
+  CHECK(run.out.find("units: ambient, diffuse, specular, " + top_of("q8") + ", saturation\n") !=
+        std::string::npos);
+  CHECK(run.out.find("n = 50, a write where N.L > 0, N.V > 0 and cos >= 0.9") != std::string::npos);
+  CHECK(run.out.find("register 1 is written once: n = 50 everywhere") != std::string::npos);
+  CHECK(folder.names().empty());
+}
+
+TEST_CASE("an OBJ file of one's own is one command", "[cli][render]") {
+  const scratch folder;
+  folder.write("own.mtl", "newmtl red\nKd 0.5 0.1 0.1\nKs 0.5\nNs 35.999996\n");
+  folder.write("own.obj", "mtllib own.mtl\n" + kTriangle + "usemtl red\nf 1 2 3\n");
+  const json report = rendered(folder, in(folder, "own.obj") + " --size 40x30");
+  CHECK(report["triangles"] == 1);
+  CHECK(report["width"] == 40);
+  REQUIRE(report["messages"].size() == 2);
+  CHECK(report["messages"][0] ==
+        "material 'red': illum absent, 2 taken since Ks > 0; Ns 35.999996 rounded to 36");
+}
+
+TEST_CASE("a scene file gives what the command line does not", "[cli][render]") {
+  const scratch folder;
+  folder.write("own.obj", kTriangle + "f 1 2 3\n");
+  folder.write(
+      "s.json",
+      R"({"mesh": "own.obj", "size": [20, 10], "shading": "flat", "format": "q12", "engine": "golden",
+    "lights": [{"direction": [0, 0, 1]}, {"position": [0, 0, 5], "colour": [1, 0, 0]}],
+    "ambient": [0, 0, 0], "background": [0, 0, 1], "camera": {"eye": [0, 0, 4], "target": [0, 0, 0], "fov": 60},
+    "materials": {"plain": {"n": 7}}})");
+  json report = rendered(folder, in(folder, "s.json"));
+  CHECK(report["width"] == 20);
+  CHECK(report["shading"] == "flat");
+  CHECK(report["format"] == "q12");
+  CHECK(report["engine"] == "golden");
+  CHECK(report["lights"] == 2);
+  report = rendered(folder, in(folder, "s.json") + " --size 8x8 --engine bit --light 1,1,1 --shading phong");
+  CHECK(report["width"] == 8);
+  CHECK(report["engine"] == "bit");
+  CHECK(report["lights"] == 1);
+  CHECK(report["shading"] == "phong");
+}
+
+TEST_CASE("bad use is one line, and no file is written", "[cli][render]") {
+  const scratch folder;
+  const std::vector<std::pair<std::string, std::string>> cases{
+      {"nosuch", "nosuch: does not exist, expected sphere, teapot, torus, spheres, or a file"},
+      {"/", "is a directory, expected a file"},
+      {"sphere --size 0x5", "--size is 0x5, expected WIDTHxHEIGHT"},
+      {"sphere --size 5", "--size is '5', expected WIDTHxHEIGHT"},
+      {"sphere --size 99999x5", "expected WIDTHxHEIGHT, each 1 to 16384"},
+      {"sphere --engine nosuch", "engine nosuch does not exist, expected golden, bit, systemc, verilator"},
+      {"sphere --device nosuch", "nosuch"},
+      {"sphere --shading nosuch", "shading nosuch does not exist, expected flat, gouraud, polynomial, phong"},
+      {"sphere --perspective nosuch", "perspective nosuch does not exist, expected corrected or screen"},
+      {"sphere --effects some", "--effects"},
+      {"sphere --light 1,2", "--light is '1,2', expected X,Y,Z"},
+      {"sphere --light 0,0,0", "--light is 0,0,0, expected a direction"},
+      {"sphere --light nan,0,0", "expected at most"},
+      {"sphere --light 1,1,1,2,0,0", "expected R,G,B, each in [0, 1]"},
+      {"sphere --ambient 1,1", "--ambient is '1,1', expected R,G,B"},
+      {"sphere --eye 0,0,0 --target 0,0,0", "camera: eye and target are one place, expected two"},
+      {"sphere --eye 0,9,0 --target 0,0,0", "camera: up points where the camera looks"},
+      {"sphere --fov 180", "--fov"},
+      {"sphere --exponent 1001", "--exponent"},
+      {"sphere --density 1", "--density"},
+      {"sphere --watch 600,0", "--watch is 600,0, expected pixels of a picture of 512 x 512"},
+      {"sphere --watch x", "--watch is 'x', expected highlight, X,Y"},
+      {"sphere --watch 1,1 --engine golden", "expected an engine of the same numbers"},
+      {"sphere --vcd w.vcd", "expected --watch or engine systemc"},
+  };
+  for (const auto& [arguments, part] : cases) refuses(folder, arguments, part);
+  const outcome nothing = run_blysk(folder, "render sphere");
+  CHECK(nothing.status == 2);
+  CHECK(nothing.err.find("nothing to do, expected --output, --report, --compare or --explain") !=
+        std::string::npos);
+  refuses(folder, "sphere --compare " + in(folder, "x.png"), "--output and --compare");
+}
+
+TEST_CASE("a bad scene is one line that names file and line", "[cli][render]") {
+  const scratch folder;
+  const auto refuses_text = [&](const std::string& name, const std::string& text, const std::string& part) {
+    folder.write(name, text);
+    refuses(folder, in(folder, name), folder.path(name) + part);
+  };
+  refuses_text("a.obj", "", ": has no triangle with an area, expected one");
+  refuses_text("a.obj", kTriangle + "f 1 2 4\n", ":4: vertex '4' does not exist, expected 1 to 3");
+  refuses_text("a.obj", kTriangle + "f 1 2 -4\n", ":4: vertex '-4' does not exist, expected 1 to 3");
+  refuses_text("a.obj", kTriangle + "f 1//1 2//1 3//1\n", ":4: normal '1' does not exist, expected 1 to 0");
+  refuses_text("a.obj", kTriangle + "f 1 2\n", ":4: face has 2 corners, expected three or more");
+  refuses_text("a.obj", "v 0 0 nan\n", ":1: vertex has 'nan', expected three numbers");
+  refuses_text("a.obj", "v 0 0 1e31\n", ":1: vertex has 1e31, expected at most 1e+30");
+  refuses_text("a.obj", "v 0 0\n", ":1: vertex has '', expected three numbers");
+  refuses_text("a.obj", kTriangle + "f 1 1 2\n", ": has no triangle with an area, expected one");
+  refuses_text("a.obj", std::string("v 0 0 1\n\0\n", 10), ":2: holds a zero byte, expected text");
+  refuses_text("a.json", "{", ":1: is no JSON here, expected a scene");
+  refuses_text("a.json", "{\n\"mesh\": \"sphere\",\n\"x\": }", ":3: is no JSON here");
+  refuses_text("a.json", "[]", ": the file: is array, expected an object");
+  refuses_text("a.json", R"({"lights": []})", ": the file: has no mesh, expected its name");
+  refuses_text("a.json", R"({"mesh": "sphere", "lamps": []})",
+               ": the file: has 'lamps', expected mesh, density");
+  refuses_text("a.json", R"({"mesh": "sphere", "lights": [{}]})",
+               ": lights[0]: has neither direction nor position");
+  refuses_text("a.json", R"({"mesh": "sphere", "lights": [{"direction": [0, 0, 0]}]})",
+               ": lights[0].direction: is zero, expected a direction");
+  refuses_text("a.json", R"({"mesh": "sphere", "ambient": [0, 0, 2]})",
+               ": ambient[2]: is 2, expected a number in [0, 1]");
+  refuses_text("a.json", R"({"mesh": "sphere", "materials": {"x": {}}})",
+               ": materials: has 'x', expected *, plain");
+  refuses_text("a.json", R"({"mesh": "sphere", "materials": {"*": {"n": 1.5}}})",
+               ": materials.*.n: is 1.5, expected an integer");
+  refuses_text("a.json", R"({"mesh": "a.json"})", ": mesh: is a scene, expected a mesh");
+  refuses_text("a.json", R"({"mesh": "sphere", "camera": {"eye": [0, 0, 0], "target": [0, 0, 0]}})",
+               ": camera: eye and target are one place, expected two");
+  refuses_text("a.ply", "ply\nformat ascii 1.0\n", ": ");
+  refuses_text("a.3ds", "nothing", ": ");
+  folder.write("a.mtl", "newmtl a\nNs nan\n");
+  folder.write("b.obj", "mtllib a.mtl\n" + kTriangle + "usemtl a\nf 1 2 3\n");
+  refuses(folder, in(folder, "b.obj"), "a.mtl:2: Ns is 'nan', expected a number");
+}
+
+TEST_CASE("files that cannot be written leave nothing behind", "[cli][render]") {
+  const scratch folder;
+  fs::create_directory(folder.path("taken"));
+  const std::string small = std::string("render sphere --engine systemc") + kSmall;
+  const auto fails = [&](const std::string& arguments, const std::string& part,
+                         const std::string& first = "") {
+    const outcome run = run_blysk(folder, small + arguments, first);
+    CAPTURE(arguments, run.err);
+    CHECK(run.status == 2);
+    CHECK(run.err.find(part) != std::string::npos);
+    CHECK(std::count(run.err.begin(), run.err.end(), '\n') == 1);
+    CHECK(folder.names() == std::vector<std::string>{"taken"});
+  };
+  const std::string picture = "--output " + in(folder, "p.png");
+  fails("--output " + in(folder, "taken"), "is a directory, expected a file");
+  fails(picture + " --report " + in(folder, "taken"), "is a directory, expected a file");
+  fails(picture + " --vcd " + in(folder, "taken"), "is a directory, expected a file");
+  fails(picture + " --report " + in(folder, "no/r.json"), "cannot be");
+  fails(picture + " --vcd " + in(folder, "w.vcd"), "cannot be written", "trap '' XFSZ; ulimit -f 2; ");
+}

@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/render/render.h"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <mutex>
+#include <stdexcept>
+
+#include "tb/render/effects/saturate.h"
+#include "tb/render/parallel.h"
+#include "tb/render/reference.h"
+#include "tb/render/shader.h"
+
+namespace blysk::render {
+namespace {
+
+class stopwatch {
+ public:
+  explicit stopwatch(double& adds_to) : adds_to_(adds_to) {}
+  ~stopwatch() {
+    adds_to_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - started_).count();
+  }
+  stopwatch(const stopwatch&) = delete;
+  stopwatch& operator=(const stopwatch&) = delete;
+
+ private:
+  double& adds_to_;
+  std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
+};
+
+/// Colours of points in [0, 255].
+using real_rgb = std::array<float, 3>;
+
+/// One picture in the making.
+class frame {
+ public:
+  explicit frame(const job& asked)
+      : job_(asked),
+        world_(*asked.of),
+        ports_(asked.device->device),
+        view_(world_.view ? *world_.view : scene::fitted_camera(world_.surface), asked.width, asked.height),
+        lights_(with_unit_directions(world_.lights)),
+        made_{.image = picture(asked.width, asked.height),
+              .reference = picture(asked.width, asked.height),
+              .planned = plan_of(asked)} {}
+
+  outcome run() {
+    timed("visibility", [&] {
+      seen_ = find_visible(world_.surface, view_, job_.width, job_.height, job_.threads);
+      points_ = job_.shading->make(world_.surface, view_, seen_, job_.is_corrected);
+    });
+    sums_.resize(points_->size());
+    in_highlight_.resize(points_->size());
+    shade();
+    timed("reference", [&] { shade_reference(); });
+    timed("picture", [&] { resolve(); });
+    count();
+    return std::move(made_);
+  }
+
+ private:
+  static constexpr std::size_t kChunk = 8192;  // points or pixels a thread takes at a time
+
+  template <class Work>
+  void timed(const char* phase, const Work& work) {
+    const stopwatch measured(made_.host_s[phase]);
+    work();
+  }
+
+  /// Calls use(index, cursor, worker) for [0, count), in chunks.
+  template <class Use>
+  void for_each(std::size_t count, unsigned threads, const Use& use,
+                const std::function<void(unsigned)>& done = {}) {
+    for_each_in_parallel((count + kChunk - 1) / kChunk, threads, [&](std::size_t chunk, unsigned worker) {
+      point_source::cursor near;
+      const std::size_t end = std::min(count, (chunk + 1) * kChunk);
+      for (std::size_t i = chunk * kChunk; i < end; ++i) use(i, near, worker);
+      if (done) done(worker);
+    });
+  }
+
+  shader make_shader(engine* device) {
+    return {lights_, view_.eye(), made_.planned, ports_, device, {sums_, in_highlight_}};
+  }
+
+  void add(shader& to, std::size_t index, point_source::cursor& near) const {
+    point at;
+    if (points_->at(index, near, at)) to.add(static_cast<std::uint32_t>(index), at);
+  }
+
+  void shade() {
+    double shading_s = 0;
+    double device_s = 0;
+    {
+      const stopwatch measured(shading_s);
+      const std::vector<std::uint8_t> is_watched = shade_watched(device_s);
+      const bool has_device = made_.planned.has_specular();
+      const unsigned threads = job_.device->is_clocked ? 1 : job_.threads;
+      std::vector<shader> shaders;
+      for (unsigned i = 0; i < threads; ++i)
+        shaders.push_back(make_shader(has_device ? job_.device->engine_of(i) : nullptr));
+      std::mutex guard;
+      std::size_t done = 0;
+      for_each(
+          points_->size(), threads,
+          [&](std::size_t i, point_source::cursor& near, unsigned worker) {
+            if (is_watched.empty() || is_watched[i] == 0) add(shaders[worker], i, near);
+          },
+          [&](unsigned) {
+            if (!job_.progress) return;
+            const std::lock_guard lock(guard);
+            done = std::min(points_->size(), done + kChunk);
+            job_.progress(done, points_->size());
+          });
+      for (shader& each : shaders) {
+        each.flush();
+        made_.device_writes += each.writes();
+        device_s += each.device_s() / threads;
+      }
+    }
+    made_.host_s["device"] = device_s;
+    made_.host_s["shading"] = shading_s - device_s;
+  }
+
+  /// \return  1 for the points that are done; empty if none is watched
+  std::vector<std::uint8_t> shade_watched(double& device_s) {
+    if (!job_.watch) return {};
+    std::vector<std::uint8_t> is_watched(points_->size(), 0);
+    point_source::cursor near;
+    const rectangle asked = job_.watch->pixels ? *job_.watch->pixels : row_through_highlight();
+    std::vector<std::uint32_t> order;  // as the pixels lie
+    for (int y = asked.y; y < asked.y + asked.height; ++y) {
+      for (int x = asked.x; x < asked.x + asked.width; ++x) {
+        const auto pixel =
+            static_cast<std::size_t>(y) * static_cast<std::size_t>(job_.width) + static_cast<std::size_t>(x);
+        if (seen_.triangle[pixel] == kNoTriangle) continue;
+        const mixture of = points_->of_pixel(pixel, near);
+        for (std::size_t k = 0; k < of.count; ++k) {
+          if (is_watched[of.point[k]]++ == 0) order.push_back(of.point[k]);
+          is_watched[of.point[k]] = 1;
+        }
+      }
+    }
+    shader through = make_shader(job_.watch->through);
+    near = {};
+    for (const std::uint32_t each : order) add(through, each, near);
+    through.flush();
+    made_.watched_writes = through.writes();
+    made_.device_writes += through.writes();
+    device_s += through.device_s();
+    if (job_.watch->done) job_.watch->done();
+    return is_watched;
+  }
+
+  /// Around the pixel with the largest N.H of a light with a highlight.
+  rectangle row_through_highlight() const {
+    point_source::cursor near;
+    double best = -1;
+    std::size_t place = 0;
+    for (std::size_t i = 0; i < seen_.pixels(); ++i) {
+      if (seen_.triangle[i] == kNoTriangle) continue;
+      const mixture of = points_->of_pixel(i, near);
+      point at;
+      points_->at(of.point[0], near, at);
+      const vec view = golden::normalised(view_.eye() - at.position);
+      for (std::size_t k = 0; k < lights_.size(); ++k) {
+        const double nh = made_.planned.at(at.material, k).has_specular
+                              ? half_cosine(at, view, incidence_of(at, view, lights_[k]))
+                              : 0;
+        if (nh > best) {
+          best = nh;
+          place = i;
+        }
+      }
+    }
+    const int x = static_cast<int>(place % static_cast<std::size_t>(job_.width));
+    const int y = static_cast<int>(place / static_cast<std::size_t>(job_.width));
+    const int first = std::max(0, x - 3 * job_.width / 16);
+    return {first, y, std::min(job_.width, x + 3 * job_.width / 16 + 1) - first, 1};
+  }
+
+  void shade_reference() {
+    real_.resize(points_->size());
+    for_each(points_->size(), job_.threads, [&](std::size_t i, point_source::cursor& near, unsigned) {
+      point at;
+      if (!points_->at(i, near, at)) return;
+      const auto colour = reference_colour(world_, lights_, view_.eye(), at);
+      for (std::size_t channel = 0; channel < 3; ++channel)
+        real_[i][channel] = static_cast<float>(std::min(colour[channel], 255.0));
+    });
+  }
+
+  void resolve() {
+    const auto width = static_cast<std::size_t>(job_.width);
+    for_each(seen_.pixels(), job_.threads, [&](std::size_t i, point_source::cursor& near, unsigned) {
+      std::uint8_t* const pixel = made_.image.pixel(static_cast<int>(i % width), static_cast<int>(i / width));
+      std::uint8_t* const judged =
+          made_.reference.pixel(static_cast<int>(i % width), static_cast<int>(i / width));
+      if (seen_.triangle[i] == kNoTriangle) {
+        for (std::size_t channel = 0; channel < 3; ++channel)
+          pixel[channel] = judged[channel] =
+              static_cast<std::uint8_t>(std::lround(255 * world_.background[channel]));
+        return;
+      }
+      const mixture of = points_->of_pixel(i, near);
+      for (std::size_t channel = 0; channel < 3; ++channel) {
+        pixel[channel] = mixed(of, channel);
+        double real = 0;
+        for (std::size_t k = 0; k < of.count; ++k) real += of.weight[k] * double{real_[of.point[k]][channel]};
+        judged[channel] = static_cast<std::uint8_t>(std::floor(std::clamp(real, 0.0, 255.0) + 0.5));
+      }
+    });
+  }
+
+  std::uint8_t mixed(const mixture& of, std::size_t channel) const {
+    if (of.count == 1) return channel_of(saturated(sums_[of.point[0]][channel]));
+    double sum = 0;
+    for (std::size_t k = 0; k < of.count; ++k) sum += of.weight[k] * saturated(sums_[of.point[k]][channel]);
+    return channel_of(saturated(static_cast<std::int32_t>(std::lround(sum))));
+  }
+
+  void count() {
+    enum : std::uint8_t { kSeen = 1, kLit = 2 };
+    std::vector<std::uint8_t> of_triangle(world_.surface.triangles.size(), 0);
+    point_source::cursor near;
+    for (std::size_t i = 0; i < seen_.pixels(); ++i) {
+      if (seen_.triangle[i] == kNoTriangle) continue;
+      ++made_.pixels;
+      std::uint8_t& triangle = of_triangle[seen_.triangle[i]];
+      triangle |= kSeen;
+      const mixture of = points_->of_pixel(i, near);
+      bool is_lit = false;
+      for (std::size_t k = 0; k < of.count; ++k)
+        is_lit = is_lit || (of.weight[k] != 0 && in_highlight_[of.point[k]] != 0);
+      if (!is_lit) continue;
+      ++made_.pixels_in_highlight;
+      triangle |= kLit;
+    }
+    for (const std::uint8_t each : of_triangle) {
+      made_.triangles_visible += (each & kSeen) != 0 ? 1 : 0;
+      made_.triangles_in_highlight += (each & kLit) != 0 ? 1 : 0;
+    }
+    made_.points = made_.pixels;
+    if (points_->size() != seen_.pixels()) made_.points = points_->size();
+  }
+
+  const job& job_;
+  const scene::world& world_;
+  device_ports ports_;
+  projection view_;
+  std::vector<scene::light> lights_;
+  outcome made_;
+  visibility seen_{};
+  std::unique_ptr<point_source> points_;
+  std::vector<sum_rgb> sums_;
+  std::vector<std::uint8_t> in_highlight_;
+  std::vector<real_rgb> real_;
+};
+
+}  // namespace
+
+plan plan_of(const job& asked) {
+  const selection& device = asked.device->device;
+  const device_ports ports(device);
+  std::unique_ptr<engine> law;
+  std::optional<lobe_table> table;
+  if (needs_device(*asked.of, asked.asked)) {
+    law = asked.device->make_law();
+    table.emplace(device, *law);
+  }
+  return make_plan(*asked.of, asked.asked, table ? &*table : nullptr, ports.cos_fraction(),
+                   device.top_name());
+}
+
+outcome render(const job& asked) {
+  if (asked.of->lights.size() > kMostLights)
+    throw std::invalid_argument("the scene has more than 64 lights, expected at most as many");
+  return frame(asked).run();
+}
+
+}  // namespace blysk::render

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+/// A picture of a scene whose highlights a device computes.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tb/device.h"
+#include "tb/render/picture.h"
+#include "tb/render/plan.h"
+#include "tb/render/points.h"
+
+namespace blysk::render {
+
+/// Pixels from the upper left corner.
+struct rectangle {
+  int x, y, width, height;
+};
+
+/// What makes the highlights.
+struct device_source {
+  selection device;
+  /// The engine of a thread, from 0; called when the plan has use for it. A clocked one has one thread.
+  std::function<engine*(unsigned thread)> engine_of;
+  bool is_clocked = false;
+  /// An engine that gives the same numbers, for the table of where a lobe begins.
+  std::function<std::unique_ptr<engine>()> make_law;
+};
+
+/// The writes of some pixels, through an engine of their own and before all others.
+struct watched {
+  std::optional<rectangle>
+      pixels;  ///< none: of the row through the brightest highlight, three eighths of its width
+  engine* through;
+  std::function<void()> done;  ///< called when they have run
+};
+
+struct job {
+  const scene::world* of;
+  int width = 512, height = 512;
+  const shading_method* shading;
+  bool is_corrected = true;  ///< perspective correction
+  effects asked = effects::automatic;
+  unsigned threads = 1;
+  const device_source* device;
+  std::optional<watched> watch = {};
+  std::function<void(std::size_t done, std::size_t total)> progress =
+      {};  ///< of points; from any thread, one at a time
+};
+
+/// Counted and measured.
+struct outcome {
+  picture image;
+  picture reference;  ///< Blinn's model in double, in place of the device
+  plan planned;
+  std::size_t pixels = 0;               ///< that see the mesh
+  std::size_t points = 0;               ///< that were shaded
+  std::size_t pixels_in_highlight = 0;  ///< to which a specular term adds
+  std::size_t triangles_visible = 0;
+  std::size_t triangles_in_highlight = 0;  ///< that have such a pixel
+  std::uint64_t device_writes = 0;
+  std::uint64_t watched_writes = 0;           ///< of these, those of watched pixels
+  std::map<std::string, double> host_s = {};  ///< by phase
+};
+
+/// The plan alone.
+plan plan_of(const job& asked);
+
+/// \throws std::invalid_argument for a device that does not shade points
+outcome render(const job& asked);
+
+}  // namespace blysk::render

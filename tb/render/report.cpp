@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/render/report.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numeric>
+
+#include "tb/render/text.h"
+
+namespace blysk::render {
+namespace {
+
+/// Of everything but reading the scene, the reference and writing the files.
+double frame_s(const outcome& of) {
+  double sum = 0;
+  for (const char* phase : {"visibility", "shading", "device"}) sum += of.host_s.at(phase);
+  return sum;
+}
+
+}  // namespace
+
+distance distance_of(const picture& reference, const picture& image) {
+  double difference = 0;
+  double energy = 0;
+  distance found{0, {}, 0, 0};
+  for (std::size_t pixel = 0; pixel < reference.rgb.size(); pixel += 3) {
+    int largest = 0;
+    for (std::size_t i = pixel; i < pixel + 3; ++i) {
+      const int off = std::abs(reference.rgb[i] - image.rgb[i]);
+      largest = std::max(largest, off);
+      difference += off * off;
+      energy += reference.rgb[i] * reference.rgb[i];
+    }
+    found.pixels_off += largest >= 3 ? 1 : 0;
+    found.largest = std::max(found.largest, largest);
+  }
+  if (difference > 0) {
+    found.nmse = difference / energy;
+    found.psnr_db = 10 * std::log10(255.0 * 255.0 * static_cast<double>(reference.rgb.size()) / difference);
+  }
+  return found;
+}
+
+std::string_view verdict(double nmse) {
+  if (nmse <= 1e-4) return "no visible difference";
+  if (nmse <= 2.5e-4) return "slight difference";
+  if (nmse <= 1e-3) return "visible difference";
+  return "strong difference";
+}
+
+std::string report_json(const job& asked, const outcome& of, const circumstances& in) {
+  const distance off = distance_of(of.reference, of.image);
+  nlohmann::ordered_json report{{"scene", in.scene},
+                                {"device", in.device.of().name()},
+                                {"format", in.device.format()},
+                                {"options", in.device.values()},
+                                {"engine", in.engine},
+                                {"effects", asked.asked == effects::all ? "all" : "auto"},
+                                {"shading", in.shading},
+                                {"perspective", in.is_corrected ? "corrected" : "screen"},
+                                {"width", asked.width},
+                                {"height", asked.height},
+                                {"lights", asked.of->lights.size()},
+                                {"triangles", asked.of->surface.triangles.size()},
+                                {"triangles_visible", of.triangles_visible},
+                                {"triangles_in_highlight", of.triangles_in_highlight},
+                                {"pixels", of.pixels},
+                                {"pixels_in_highlight", of.pixels_in_highlight},
+                                {"points", of.points},
+                                {"device_writes", of.device_writes},
+                                {"watched_writes", of.watched_writes},
+                                {"units", of.planned.units},
+                                {"plan", of.planned.reasons},
+                                {"blocks", in.blocks},
+                                {"simulated_ns", in.simulated_ns},
+                                {"cycles", in.cycles},
+                                {"delta_cycles", in.delta_cycles},
+                                {"nmse", off.nmse},
+                                {"verdict", verdict(off.nmse)},
+                                {"psnr_db", nullptr},
+                                {"pixels_off", off.pixels_off},
+                                {"largest_difference", off.largest},
+                                {"threads", in.threads},
+                                {"host_s", of.host_s},
+                                {"frames_per_second", 1 / frame_s(of)},
+                                {"messages", in.messages}};
+  if (off.psnr_db) report["psnr_db"] = *off.psnr_db;
+  return report.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+picture comparison(const outcome& of, const circumstances& in) {
+  constexpr int kGain = 4;
+  const distance off = distance_of(of.reference, of.image);
+  const int width = of.image.width;
+  picture sheet(3 * width, of.image.height + kTextHeight);
+  paste(of.reference, sheet, 0, kTextHeight);
+  paste(of.image, sheet, width, kTextHeight);
+  paste(difference(of.reference, of.image, kGain), sheet, 2 * width, kTextHeight);
+  write_text(sheet, 4, 2, "Blinn, double");
+  write_text(sheet, width + 4, 2,
+             fmt::format("{} {}, {}", in.device.of().name(), in.device.format(), in.engine));
+  write_text(sheet, 2 * width + 4, 2, fmt::format("{} x difference, NMSE {:.1e}", kGain, off.nmse));
+  return sheet;
+}
+
+std::string report_table(const job& asked, const outcome& of, const circumstances& in) {
+  const distance off = distance_of(of.reference, of.image);
+  std::string table;
+  const auto row = [&](std::string_view what, const std::string& value) {
+    table += fmt::format("{:<24}{}\n", what, value);
+  };
+  row("picture", fmt::format("{} x {}, {} shading, {} pixels of the mesh", asked.width, asked.height,
+                             in.shading, of.pixels));
+  row("device", fmt::format("{} {}, engine {}", in.device.of().name(), in.device.format(), in.engine));
+  row("units", fmt::format("{}", fmt::join(of.planned.units, ", ")));
+  row("pixels in a highlight", fmt::format("{}", of.pixels_in_highlight));
+  row("device writes",
+      fmt::format("{} of {} points times {} lights", of.device_writes, of.points, asked.of->lights.size()));
+  row("triangles", fmt::format("{} in a highlight, {} visible, {} in all", of.triangles_in_highlight,
+                               of.triangles_visible, asked.of->surface.triangles.size()));
+  if (in.cycles > 0)
+    row("simulated",
+        fmt::format("{} ns, {} clock cycles, {} delta cycles", in.simulated_ns, in.cycles, in.delta_cycles));
+  row("against Blinn's model",
+      fmt::format("NMSE {:.2e} ({}), {}, {} pixels off by 3/255 or more, largest {}", off.nmse,
+                  verdict(off.nmse), off.psnr_db ? fmt::format("PSNR {:.1f} dB", *off.psnr_db) : "equal",
+                  off.pixels_off, off.largest));
+  std::string times;
+  for (const auto& [phase, seconds] : of.host_s)
+    times += fmt::format("{}{} {:.1f} ms", times.empty() ? "" : ", ", phase, 1e3 * seconds);
+  row("host time", fmt::format("{}; {:.1f} frames per second", times, 1 / frame_s(of)));
+  return table;
+}
+
+}  // namespace blysk::render

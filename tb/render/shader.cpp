@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/render/shader.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include "tb/render/effects/ambient.h"
+#include "tb/render/effects/diffuse.h"
+
+namespace blysk::render {
+
+shader::shader(const std::vector<scene::light>& lights, const vec& eye, const plan& planned,
+               const device_ports& ports, engine* device, results to)
+    : lights_(lights),
+      eye_(eye),
+      plan_(planned),
+      ports_(ports),
+      device_(device),
+      to_(to),
+      inputs_(ports.make_writes()) {}
+
+void shader::add(std::uint32_t index, const point& at) {
+  sum_rgb& sum = to_.sums[index];
+  const sum_rgb& ambient = plan_.ambient[at.material];
+  for (std::size_t channel = 0; channel < 3; ++channel) sum[channel] = ambient_term(ambient[channel]);
+  const vec view = golden::normalised(eye_ - at.position);
+  const int fraction = ports_.cos_fraction();
+  const bool all = plan_.asked == effects::all;
+  for (std::size_t k = 0; k < lights_.size(); ++k) {
+    const light_plan& light = plan_.at(at.material, k);
+    if (!light.has_diffuse && !light.has_specular) continue;
+    const incidence met = incidence_of(at, view, lights_[k]);
+    if (light.has_diffuse) {
+      const std::int64_t cosine = cosine_code(met.nl, fraction);
+      for (std::size_t channel = 0; channel < 3; ++channel)
+        sum[channel] += diffuse_term(light.diffuse[channel], cosine, fraction);
+    }
+    if (!light.has_specular) continue;
+    if (!all && !(met.is_lit && may_reach(at, view, met, light.below_lobe))) continue;
+    // Away from the light or the eye, or where these are opposite, there is no highlight, whatever the lobe is at 0.
+    const double nh = half_cosine(at, view, met);
+    const bool is_lit = nh > 0;
+    const std::int64_t cosine = cosine_code(nh, fraction);
+    const bool adds = is_lit && cosine >= light.lobe_begin;
+    if (adds && light.specular != std::array<std::uint8_t, 3>{}) to_.in_highlight[index] = 1;
+    if (!adds && !all) continue;
+    waiting_.push_back({index, static_cast<std::uint32_t>(at.material * lights_.size() + k),
+                        static_cast<std::uint32_t>(cosine), is_lit});
+  }
+  if (waiting_.size() >= kBatch) flush();
+}
+
+void shader::flush() {
+  if (waiting_.empty()) return;
+  // What a material and a light write into registers 1, 3, 4 and 5 is written once a batch.
+  if (plan_.asked == effects::automatic) std::ranges::stable_sort(waiting_, {}, &write::slot);
+  run(waiting_);
+  waiting_.clear();
+}
+
+void shader::run(std::span<const write> batch) {
+  inputs_.resize(batch.size());
+  for (std::size_t i = 0; i < batch.size(); ++i) {
+    const light_plan& light = plan_.of_lights[batch[i].slot];
+    auto colour = light.specular;
+    if (light.is_grey) colour[1] = colour[2] = 0;
+    ports_.set(inputs_, i, light.n, batch[i].cosine, colour);
+  }
+  const auto started = std::chrono::steady_clock::now();
+  device_->run(inputs_, outputs_);
+  device_s_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
+  writes_ += batch.size();
+  for (std::size_t i = 0; i < batch.size(); ++i) {
+    if (!batch[i].is_lit) continue;
+    sum_rgb& sum = to_.sums[batch[i].point];
+    const bool is_grey = plan_.of_lights[batch[i].slot].is_grey;
+    for (std::size_t channel = 0; channel < 3; ++channel)
+      sum[channel] += ports_.term(outputs_, i, is_grey ? 0 : channel);
+  }
+}
+
+}  // namespace blysk::render

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The effects of a plan on points: ambient and diffuse terms at once, specular ones by writes to a device.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "tb/engine.h"
+#include "tb/render/incidence.h"
+#include "tb/render/plan.h"
+#include "tb/render/points.h"
+
+namespace blysk::render {
+
+class shader {
+ public:
+  /// What is computed for each point of a point_source, by its index.
+  struct results {
+    std::span<sum_rgb> sums;               ///< SQ15.16
+    std::span<std::uint8_t> in_highlight;  ///< 1 where a specular term is not 0
+  };
+
+  /// The arguments outlive the shader.
+  /// \param device  null if the plan has no specular effect
+  shader(const std::vector<scene::light>& lights, const vec& eye, const plan& planned,
+         const device_ports& ports, engine* device, results to);
+
+  void add(std::uint32_t index, const point& at);
+
+  /// Runs the writes that wait; after the last point.
+  void flush();
+
+  std::uint64_t writes() const { return writes_; }
+  double device_s() const { return device_s_; }
+
+ private:
+  struct write {
+    std::uint32_t point;
+    std::uint32_t slot;  // of plan::of_lights
+    std::uint32_t cosine;
+    bool is_lit;
+  };
+  static constexpr std::size_t kBatch = 16384;
+
+  void run(std::span<const write> batch);
+
+  const std::vector<scene::light>& lights_;
+  const vec& eye_;
+  const plan& plan_;
+  const device_ports& ports_;
+  engine* device_;
+  results to_;
+  std::vector<write> waiting_;
+  columns inputs_, outputs_;
+  std::uint64_t writes_ = 0;
+  double device_s_ = 0;
+};
+
+}  // namespace blysk::render

@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/scene/library_reader.h"
+
+#include <fmt/format.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <assimp/material.h>
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+#include <array>
+#include <assimp/Importer.hpp>
+#include <cerrno>
+#include <cmath>
+#include <csignal>
+#include <cstdint>
+#include <exception>
+#include <filesystem>
+
+#include "tb/scene/material.h"
+#include "tb/scene/mesh_builder.h"
+#include "tb/usage_error.h"
+
+namespace blysk::scene {
+namespace {
+
+// --- What goes through the pipe: a letter and a payload. 'm' a mesh follows, 'e' the text of an error.
+
+class pipe_writer {
+ public:
+  explicit pipe_writer(int to) : to_(to) {}
+  void bytes(const void* from, std::size_t size) {
+    const auto* next = static_cast<const char*>(from);
+    while (size > 0) {
+      const ssize_t written = write(to_, next, size);
+      if (written <= 0) _exit(1);
+      next += written;
+      size -= static_cast<std::size_t>(written);
+    }
+  }
+  template <class T>
+  void value(const T& from) {
+    static_assert(std::is_trivially_copyable_v<T>);
+    bytes(&from, sizeof from);
+  }
+  void text(const std::string& from) {
+    value(from.size());
+    bytes(from.data(), from.size());
+  }
+  template <class T>
+  void list(const std::vector<T>& from) {
+    value(from.size());
+    for (const T& each : from) value(each);
+  }
+
+ private:
+  int to_;
+};
+
+class pipe_reader {
+ public:
+  explicit pipe_reader(int from) : from_(from) {}
+  bool bytes(void* to, std::size_t size) {
+    auto* next = static_cast<char*>(to);
+    while (size > 0) {
+      const ssize_t got = read(from_, next, size);
+      if (got <= 0) return false;
+      next += got;
+      size -= static_cast<std::size_t>(got);
+    }
+    return true;
+  }
+  template <class T>
+  bool value(T& to) {
+    return bytes(&to, sizeof to);
+  }
+  bool text(std::string& to) {
+    std::size_t size = 0;
+    if (!value(size)) return false;
+    to.resize(size);
+    return bytes(to.data(), size);
+  }
+  template <class T>
+  bool list(std::vector<T>& to) {
+    std::size_t size = 0;
+    if (!value(size)) return false;
+    to.resize(size);
+    return bytes(to.data(), size * sizeof(T));
+  }
+
+ private:
+  int from_;
+};
+
+// --- In the process of the library
+
+std::optional<rgb> colour_of(const aiMaterial& from, const char* key, unsigned type, unsigned index) {
+  aiColor3D colour;
+  if (from.Get(key, type, index, colour) != aiReturn_SUCCESS) return {};
+  return rgb{colour.r, colour.g, colour.b};
+}
+
+raw_material material_of(const aiMaterial& from) {
+  raw_material raw;
+  raw.name = from.GetName().C_Str();
+  raw.ka = colour_of(from, AI_MATKEY_COLOR_AMBIENT);
+  raw.kd = colour_of(from, AI_MATKEY_COLOR_DIFFUSE);
+  raw.ks = colour_of(from, AI_MATKEY_COLOR_SPECULAR);
+  raw.ke = colour_of(from, AI_MATKEY_COLOR_EMISSIVE);
+  float number = 0;
+  if (from.Get(AI_MATKEY_SHININESS, number) == aiReturn_SUCCESS) raw.n = number;
+  if (from.Get(AI_MATKEY_OPACITY, number) == aiReturn_SUCCESS && number != 1)
+    raw.notes.push_back(fmt::format("opacity {} dropped, surfaces are opaque", number));
+  if (from.GetTextureCount(aiTextureType_DIFFUSE) > 0) raw.notes.emplace_back("textures dropped");
+  // Lists of numbers, so that a NaN is found here.
+  for (auto* each : {&raw.ka, &raw.kd, &raw.ks, &raw.ke}) {
+    if (*each && (std::isnan((**each)[0]) || std::isnan((**each)[1]) || std::isnan((**each)[2])))
+      throw usage_error("a material's colour is NaN, expected a number");
+  }
+  if (raw.n && std::isnan(*raw.n)) throw usage_error("a material's exponent is NaN, expected a number");
+  return raw;
+}
+
+vec checked(const aiVector3D& from) {
+  const vec at{from.x, from.y, from.z};
+  for (const double each : {at.x, at.y, at.z}) {
+    if (!(std::abs(each) <= mesh::kLargest))
+      throw usage_error(
+          fmt::format("a vertex has {}, expected a number of at most {}", each, mesh::kLargest));
+  }
+  return at;
+}
+
+void append(const aiMesh& from, std::size_t materials, mesh_builder& to) {
+  const auto first = static_cast<std::uint32_t>(to.positions.size());
+  const auto first_normal = static_cast<std::uint32_t>(to.normals.size());
+  const bool has_normals = from.HasNormals();
+  for (unsigned i = 0; i < from.mNumVertices; ++i) {
+    to.positions.push_back(checked(from.mVertices[i]));
+    if (!has_normals) continue;
+    const aiVector3D& normal = from.mNormals[i];
+    const bool is_number = std::isfinite(normal.x) && std::isfinite(normal.y) && std::isfinite(normal.z);
+    to.normals.push_back(is_number ? vec{normal.x, normal.y, normal.z} : vec{0, 0, 0});
+  }
+  if (from.mMaterialIndex >= materials) throw usage_error("a mesh has no material, expected an index of one");
+  std::vector<mesh_builder::corner> corners;
+  for (unsigned i = 0; i < from.mNumFaces; ++i) {
+    const aiFace& face = from.mFaces[i];
+    corners.clear();
+    for (unsigned k = 0; k < face.mNumIndices; ++k) {
+      const unsigned index = face.mIndices[k];
+      if (index >= from.mNumVertices)
+        throw usage_error(
+            fmt::format("vertex {} does not exist, expected less than {}", index, from.mNumVertices));
+      corners.push_back({first + index, has_normals ? first_normal + index : mesh_builder::kNoNormal});
+    }
+    if (corners.size() >= 3) to.add(corners, from.mMaterialIndex, mesh_builder::kUnsaid);
+  }
+}
+
+mesh import(const std::string& path, std::vector<std::string>& messages) {
+  Assimp::Importer importer;
+  // Instances become triangles in the world's coordinates.
+  const aiScene* read = importer.ReadFile(path, aiProcess_PreTransformVertices);
+  if (read == nullptr) throw usage_error(importer.GetErrorString());
+  mesh_builder built;
+  for (unsigned i = 0; i < read->mNumMaterials; ++i)
+    built.materials.push_back(make_legal(material_of(*read->mMaterials[i]), messages));
+  for (unsigned i = 0; i < read->mNumMeshes; ++i) append(*read->mMeshes[i], read->mNumMaterials, built);
+  if (built.triangles() == 0) throw usage_error("has no triangle with an area, expected one");
+  if (read->HasLights()) messages.push_back(fmt::format("{} lights of the file dropped", read->mNumLights));
+  if (read->HasCameras())
+    messages.push_back(fmt::format("{} cameras of the file dropped", read->mNumCameras));
+  return std::move(built).finish(messages);
+}
+
+[[noreturn]] void serve(const std::string& path, int to) {
+  // It hangs or grows on some broken files: seconds of processor time and bytes of memory by the size of the file.
+  std::error_code ignored;
+  const std::uintmax_t size = std::filesystem::file_size(path, ignored);
+  const rlim_t seconds = 5 + size / 1'000'000;
+  const rlimit time{seconds, seconds + 1};
+  setrlimit(RLIMIT_CPU, &time);
+  const rlim_t bytes = (rlim_t{1} << 31) + 100 * size;
+  const rlimit memory{bytes, bytes};
+  setrlimit(RLIMIT_AS, &memory);
+  prctl(PR_SET_PDEATHSIG, SIGKILL);  // it ends with the program
+  const rlimit no_core{0, 0};
+  setrlimit(RLIMIT_CORE, &no_core);
+  for (const int each : {SIGSEGV, SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGTERM, SIGINT, SIGHUP, SIGXCPU})
+    std::signal(each, SIG_DFL);
+  // What the library prints would come between the program's own lines.
+  if (std::freopen("/dev/null", "w", stderr) == nullptr || std::freopen("/dev/null", "w", stdout) == nullptr)
+    _exit(1);
+  pipe_writer out(to);
+  try {
+    std::vector<std::string> messages;
+    const mesh made = import(path, messages);
+    out.value('m');
+    out.value(messages.size());
+    for (const std::string& each : messages) out.text(each);
+    out.list(made.positions);
+    out.list(made.normals);
+    out.list(made.triangles);
+    out.value(made.materials.size());
+    for (const material& each : made.materials) {
+      out.text(each.name);
+      for (const rgb& colour : {each.emitted, each.ka, each.kd, each.ks}) out.value(colour);
+      out.value(each.n);
+    }
+  } catch (const std::exception& error) {
+    out.value('e');
+    out.text(error.what());
+  }
+  _exit(0);
+}
+
+// --- In the program's process
+
+bool receive(pipe_reader& in, mesh& made, std::vector<std::string>& messages, std::string& error) {
+  char kind = 0;
+  if (!in.value(kind)) return false;
+  if (kind == 'e') return in.text(error);
+  std::size_t count = 0;
+  if (!in.value(count)) return false;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!in.text(messages.emplace_back())) return false;
+  }
+  if (!in.list(made.positions) || !in.list(made.normals) || !in.list(made.triangles) || !in.value(count))
+    return false;
+  for (std::size_t i = 0; i < count; ++i) {
+    material& each = made.materials.emplace_back();
+    if (!in.text(each.name)) return false;
+    for (rgb* colour : {&each.emitted, &each.ka, &each.kd, &each.ks}) {
+      if (!in.value(*colour)) return false;
+    }
+    if (!in.value(each.n)) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+mesh read_by_library(const std::string& path, std::vector<std::string>& messages) {
+  if (access(path.c_str(), R_OK) != 0) throw file_error(path, 0, "cannot be read" + system_reason());
+  std::array<int, 2> ends{};
+  if (pipe(ends.data()) != 0) throw file_error(path, 0, "cannot be read" + system_reason());
+  const pid_t child = fork();
+  if (child < 0) throw file_error(path, 0, "cannot be read" + system_reason());
+  if (child == 0) {
+    close(ends[0]);
+    serve(path, ends[1]);
+  }
+  close(ends[1]);
+  mesh made;
+  std::string error;
+  pipe_reader in(ends[0]);
+  const bool is_whole = receive(in, made, messages, error);
+  close(ends[0]);
+  int status = 0;
+  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  if (!error.empty()) throw file_error(path, 0, error);
+  if (!is_whole || !WIFEXITED(status)) {
+    const int by = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
+    const std::string reason = by == SIGXCPU || by == SIGKILL ? "does not end"
+                               : by != 0                      ? fmt::format("ends by signal {}", by)
+                                                              : "gives half a mesh";
+    throw file_error(path, 0,
+                     fmt::format("the library assimp {} on it, expected a file that it can read", reason));
+  }
+  return made;
+}
+
+}  // namespace blysk::scene

@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/scene/mesh_builder.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <tuple>
+#include <utility>
+
+namespace blysk::scene {
+namespace {
+
+using golden::dot;
+
+struct flat_point {
+  double x, y;
+};
+
+double turn(const flat_point& a, const flat_point& b, const flat_point& c) {
+  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
+/// Newell's normal: twice the area, along the polygon's normal.
+vec normal_of(const std::vector<vec>& corners) {
+  vec sum{0, 0, 0};
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    sum = sum + cross(corners[i] - corners[0], corners[(i + 1) % corners.size()] - corners[0]);
+  return golden::normalised(sum);
+}
+
+/// The polygon in the plane of its two largest extents, counter-clockwise.
+std::vector<flat_point> flattened(const std::vector<vec>& corners) {
+  const vec normal = normal_of(corners);
+  const double x = std::abs(normal.x);
+  const double y = std::abs(normal.y);
+  const double z = std::abs(normal.z);
+  std::vector<flat_point> flat;
+  for (const vec& at : corners) {
+    if (z >= x && z >= y) {
+      flat.push_back(normal.z >= 0 ? flat_point{at.x, at.y} : flat_point{at.y, at.x});
+    } else if (x >= y) {
+      flat.push_back(normal.x >= 0 ? flat_point{at.y, at.z} : flat_point{at.z, at.y});
+    } else {
+      flat.push_back(normal.y >= 0 ? flat_point{at.z, at.x} : flat_point{at.x, at.z});
+    }
+  }
+  return flat;
+}
+
+bool is_convex(const std::vector<flat_point>& flat) {
+  const std::size_t size = flat.size();
+  int sign_changes = 0;  // of the edges' x direction: two in a polygon that goes around once
+  double before = 0;
+  for (std::size_t i = 0; i < size; ++i) {
+    if (turn(flat[i], flat[(i + 1) % size], flat[(i + 2) % size]) < 0) return false;
+  }
+  for (std::size_t i = 0; i <= size; ++i) {
+    const double step = flat[(i + 1) % size].x - flat[i % size].x;
+    if (step == 0) continue;
+    if (before != 0 && (step > 0) != (before > 0)) ++sign_changes;
+    before = step;
+  }
+  return sign_changes <= 2;
+}
+
+/// Triangles of a polygon that is not convex, as indices: ears are cut off one by one. Fewer than size - 2 if it cuts itself.
+std::vector<std::array<std::size_t, 3>> cut_ears(const std::vector<flat_point>& flat) {
+  std::vector<std::size_t> left(flat.size());
+  std::iota(left.begin(), left.end(), std::size_t{0});
+  std::vector<std::array<std::size_t, 3>> ears;
+  const auto is_ear = [&](std::size_t at) {
+    const std::size_t size = left.size();
+    const flat_point& a = flat[left[(at + size - 1) % size]];
+    const flat_point& b = flat[left[at]];
+    const flat_point& c = flat[left[(at + 1) % size]];
+    if (turn(a, b, c) < 0) return false;
+    return std::ranges::none_of(left, [&](std::size_t other) {
+      const flat_point& p = flat[other];
+      const auto same = [&p](const flat_point& q) { return p.x == q.x && p.y == q.y; };
+      return !same(a) && !same(b) && !same(c) && turn(a, b, p) >= 0 && turn(b, c, p) >= 0 &&
+             turn(c, a, p) >= 0;
+    });
+  };
+  std::size_t at = 0;
+  std::size_t tried = 0;
+  while (left.size() > 3 && tried < left.size()) {
+    if (!is_ear(at)) {
+      at = (at + 1) % left.size();
+      ++tried;
+      continue;
+    }
+    const std::size_t size = left.size();
+    ears.push_back({left[(at + size - 1) % size], left[at], left[(at + 1) % size]});
+    left.erase(left.begin() + static_cast<std::ptrdiff_t>(at));
+    at %= left.size();
+    tried = 0;
+  }
+  if (left.size() == 3) ears.push_back({left[0], left[1], left[2]});
+  return ears;
+}
+
+/// Index of the first of the equal places, for each position.
+std::vector<std::uint32_t> welded(const std::vector<vec>& positions) {
+  std::vector<std::uint32_t> order(positions.size());
+  std::iota(order.begin(), order.end(), 0U);
+  const auto key = [&](std::uint32_t i) { return std::tie(positions[i].x, positions[i].y, positions[i].z); };
+  std::ranges::sort(order, [&](std::uint32_t a, std::uint32_t b) {
+    return std::tuple_cat(key(a), std::tie(a)) < std::tuple_cat(key(b), std::tie(b));
+  });
+  std::vector<std::uint32_t> first(positions.size());
+  for (std::size_t i = 0; i < order.size(); ++i)
+    first[order[i]] = i > 0 && key(order[i]) == key(order[i - 1]) ? first[order[i - 1]] : order[i];
+  return first;
+}
+
+}  // namespace
+
+void mesh_builder::append(const corner& a, const corner& b, const corner& c, std::uint32_t material,
+                          std::int32_t smoothing) {
+  const triangle made{{a.position, b.position, c.position}, {a.normal, b.normal, c.normal}, material};
+  const vec area = area_of(made);
+  if (area.x == 0 && area.y == 0 && area.z == 0) {
+    ++dropped_;
+    return;
+  }
+  triangles_.push_back(made);
+  smoothing_.push_back(smoothing);
+}
+
+vec mesh_builder::area_of(const triangle& of) const {
+  const vec& origin = positions[of.position[0]];
+  return cross(positions[of.position[1]] - origin, positions[of.position[2]] - origin);
+}
+
+void mesh_builder::add(std::span<const corner> polygon, std::uint32_t material, std::int32_t smoothing) {
+  if (polygon.size() > 3) {
+    std::vector<vec> corners;
+    for (const corner& each : polygon) corners.push_back(positions[each.position]);
+    const std::vector<flat_point> flat = flattened(corners);
+    if (!is_convex(flat)) {
+      const auto ears =
+          polygon.size() <= kMostConcave ? cut_ears(flat) : std::vector<std::array<std::size_t, 3>>{};
+      if (ears.size() == polygon.size() - 2) {
+        for (const auto& [a, b, c] : ears) append(polygon[a], polygon[b], polygon[c], material, smoothing);
+        return;
+      }
+      ++crossed_;
+    }
+  }
+  for (std::size_t i = 2; i < polygon.size(); ++i)
+    append(polygon[0], polygon[i - 1], polygon[i], material, smoothing);
+}
+
+/// Files that wind their faces clockwise give themselves away by their normals.
+void mesh_builder::turn_outwards() {
+  for (triangle& each : triangles_) {
+    vec sum{0, 0, 0};
+    for (const std::uint32_t index : each.normal) {
+      if (index != kNoNormal) sum = sum + normals[index];
+    }
+    if (dot(area_of(each), sum) >= 0) continue;
+    std::swap(each.position[1], each.position[2]);
+    std::swap(each.normal[1], each.normal[2]);
+  }
+}
+
+void mesh_builder::compute_normals(std::vector<std::string>& messages) {
+  constexpr double kCrease = 0.5;             // cos of 60 degrees
+  constexpr std::uint32_t kMostFaces = 1000;  // of a place where each is compared with each
+  const auto lacks = [](const triangle& of) {
+    return std::ranges::find(of.normal, kNoNormal) != of.normal.end();
+  };
+  if (std::ranges::none_of(triangles_, lacks)) return;
+  std::vector<vec> areas;
+  for (const triangle& each : triangles_) areas.push_back(area_of(each));
+  // The faces around each place, one list after the other.
+  const std::vector<std::uint32_t> place = welded(positions);
+  std::vector<std::uint32_t> begins(positions.size() + 1, 0);
+  for (const triangle& each : triangles_) {
+    for (const std::uint32_t index : each.position) ++begins[place[index] + 1];
+  }
+  std::partial_sum(begins.begin(), begins.end(), begins.begin());
+  std::vector<std::uint32_t> ends(begins.begin(), begins.end() - 1);
+  std::vector<std::uint32_t> faces(begins.back());
+  for (std::uint32_t i = 0; i < triangles_.size(); ++i) {
+    for (const std::uint32_t index : triangles_[i].position) faces[ends[place[index]]++] = i;
+  }
+  const auto shares = [&](std::uint32_t face, std::uint32_t other, bool few) {
+    if (face == other) return true;
+    if (smoothing_[face] != smoothing_[other] || smoothing_[face] == kFlat) return false;
+    return smoothing_[face] != kUnsaid || !few ||
+           dot(golden::normalised(areas[face]), golden::normalised(areas[other])) > kCrease;
+  };
+  std::size_t count = 0;
+  for (std::uint32_t i = 0; i < triangles_.size(); ++i) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      std::uint32_t& normal = triangles_[i].normal[k];
+      if (normal != kNoNormal) continue;
+      const std::uint32_t at = place[triangles_[i].position[k]];
+      const bool few = ends[at] - begins[at] <= kMostFaces;
+      vec sum{0, 0, 0};
+      if (few) {
+        for (std::uint32_t j = begins[at]; j < ends[at]; ++j) {
+          if (shares(i, faces[j], few)) sum = sum + areas[faces[j]];
+        }
+      } else {
+        sum = areas[i];
+      }
+      normal = static_cast<std::uint32_t>(normals.size());
+      normals.push_back(golden::normalised(dot(sum, sum) > 0 ? sum : areas[i]));
+      ++count;
+    }
+  }
+  messages.push_back(fmt::format("{} normals computed, as the file has none there", count));
+}
+
+mesh mesh_builder::finish(std::vector<std::string>& messages) && {
+  std::size_t without_direction = 0;
+  for (vec& each : normals) each = golden::normalised(each);
+  for (triangle& each : triangles_) {
+    for (std::uint32_t& index : each.normal) {
+      if (index == kNoNormal || dot(normals[index], normals[index]) > 0) continue;
+      index = kNoNormal;
+      ++without_direction;
+    }
+  }
+  if (dropped_ > 0) messages.push_back(fmt::format("{} triangles without area dropped", dropped_));
+  if (crossed_ > 0)
+    messages.push_back(
+        fmt::format("{} polygons that cut themselves, or of more than {} corners, taken as convex", crossed_,
+                    kMostConcave));
+  if (without_direction > 0)
+    messages.push_back(fmt::format("{} normals of length 0 dropped", without_direction));
+  turn_outwards();
+  compute_normals(messages);
+  return {std::move(positions), std::move(normals), std::move(triangles_), std::move(materials)};
+}
+
+}  // namespace blysk::scene

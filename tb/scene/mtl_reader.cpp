@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "tb/scene/obj_reader.h"
+#include "tb/scene/text_lines.h"
+#include "tb/usage_error.h"
+
+namespace blysk::scene {
+namespace {
+
+/// A reader of one line of a material.
+class mtl_line {
+ public:
+  mtl_line(const std::string& path, const text_lines& line)
+      : path_(path), keyword_(line.keyword()), rest_(line.value()), number_(line.number()) {}
+
+  double number() {
+    const std::string_view word = take_word(rest_);
+    const auto value = number_of(word);
+    if (!value) {
+      throw file_error(path_, number_,
+                       fmt::format("{} is '{}', expected a number", keyword_, printable(word)));
+    }
+    return *value;
+  }
+
+  /// Three numbers, or one for all. The colours of measured spectra and of CIE XYZ are dropped.
+  std::optional<rgb> colour(std::vector<std::string>& notes) {
+    if (rest_.starts_with("spectral") || rest_.starts_with("xyz")) {
+      notes.push_back(fmt::format("{} {} dropped, RGB is read", keyword_, take_word(rest_)));
+      return {};
+    }
+    rgb values{};
+    values.fill(number());
+    if (!rest_.empty()) {
+      values[1] = number();
+      values[2] = number();
+    }
+    return values;
+  }
+
+ private:
+  const std::string& path_;
+  std::string_view keyword_, rest_;
+  std::size_t number_;
+};
+
+bool is_ignored(std::string_view keyword) {
+  static constexpr std::array kIgnored{"Ni", "Tf", "sharpness"};  // of refraction and mirrors
+  return std::ranges::find(kIgnored, keyword) != kIgnored.end();
+}
+
+void read_property(const std::string& path, const text_lines& line, raw_material& to) {
+  mtl_line of(path, line);
+  const std::string_view keyword = line.keyword();
+  if (keyword == "Ka") {
+    to.ka = of.colour(to.notes);
+  } else if (keyword == "Kd") {
+    to.kd = of.colour(to.notes);
+  } else if (keyword == "Ks") {
+    to.ks = of.colour(to.notes);
+  } else if (keyword == "Ke") {
+    to.ke = of.colour(to.notes);
+  } else if (keyword == "Ns") {
+    to.n = of.number();
+  } else if (keyword == "illum") {
+    to.illum = of.number();
+  } else if (keyword == "d" || keyword == "Tr") {
+    std::string_view value = line.value();
+    if (value.starts_with("-halo")) take_word(value);
+    const auto opacity = number_of(value);
+    if (opacity != (keyword == "d" ? 1.0 : 0.0))
+      to.notes.push_back(fmt::format("{} {} dropped, surfaces are opaque", keyword, printable(value)));
+  } else if (!is_ignored(keyword)) {
+    to.notes.push_back(fmt::format("{} dropped", printable(keyword)));
+  }
+}
+
+}  // namespace
+
+std::vector<raw_material> read_mtl(const std::string& path, const std::string& text) {
+  std::vector<raw_material> materials;
+  text_lines line(text);
+  while (line.next()) {
+    if (line.keyword() == "newmtl") {
+      materials.emplace_back().name = line.value();
+    } else if (materials.empty()) {
+      throw file_error(
+          path, line.number(),
+          fmt::format("'{}' before the first newmtl, expected newmtl", printable(line.keyword())));
+    } else {
+      read_property(path, line, materials.back());
+    }
+  }
+  return materials;
+}
+
+}  // namespace blysk::scene

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/scene/read_scene.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "tb/scene/library_reader.h"
+#include "tb/scene/obj_reader.h"
+#include "tb/scene/shapes.h"
+#include "tb/scene/text_lines.h"
+#include "tb/usage_error.h"
+
+namespace blysk::scene {
+namespace {
+
+std::string ending_of(const std::string& path) {
+  std::string ending = std::filesystem::path(path).extension().string();
+  std::ranges::transform(ending, ending.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return ending;
+}
+
+}  // namespace
+
+read_world read_scene(const std::string& name, int density) {
+  read_world read;
+  if (const shape* built_in = find_shape(name)) {
+    read.of.surface = built_in->make(density > 0 ? density : built_in->density);
+    return read;
+  }
+  const std::filesystem::path path(name);
+  if (!std::filesystem::exists(path)) {
+    std::string names;
+    for (const shape& each : shapes()) names += fmt::format("{}, ", each.name);
+    throw file_error(name, 0, fmt::format("does not exist, expected {}or a file", names));
+  }
+  if (std::filesystem::is_directory(path)) throw file_error(name, 0, "is a directory, expected a file");
+  const std::string ending = ending_of(name);
+  if (ending == ".json") return read_scene_file(name, decoded(name, read_file(name)), density);
+  if (ending == ".obj") {
+    const auto open = [&](const std::string& library) {
+      std::string unix_name = library;
+      std::ranges::replace(unix_name, '\\', '/');
+      const std::string beside = (path.parent_path() / unix_name).string();
+      return library_text{beside, read_file(beside)};
+    };
+    read.of.surface = read_obj(name, decoded(name, read_file(name)), open, read.of.messages);
+  } else {
+    read.of.surface = read_by_library(name, read.of.messages);
+  }
+  return read;
+}
+
+}  // namespace blysk::scene

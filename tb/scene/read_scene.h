@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+/// A scene by its name: a built-in shape, a mesh file, or a scene file in JSON that names one of these.
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "tb/scene/scene.h"
+
+namespace blysk::scene {
+
+struct read_world {
+  world of;
+  /// Options of the command line that a scene file gives: "size" "512x512", "shading" "phong".
+  std::map<std::string, std::string> options;
+};
+
+/// \param density  of built-in shapes; 0: their own
+/// \throws usage_error with file and line
+read_world read_scene(const std::string& name, int density = 0);
+
+/// docs/scenes.md has the schema.
+/// \param text  of the file
+read_world read_scene_file(const std::string& path, const std::string& text, int density = 0);
+
+/// \throws usage_error for a camera that sees nothing: no direction, no angle
+void check_camera(const std::string& where, const camera& view);
+
+}  // namespace blysk::scene

@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "tb/scene/read_scene.h"
+#include "tb/scene/shapes.h"
+#include "tb/usage_error.h"
+
+namespace blysk::scene {
+namespace {
+
+using json = nlohmann::json;
+
+/// A value of a scene file, and where it stands: "lights[0].colour".
+class field {
+ public:
+  field(const std::string& path, const json& value, std::string where)
+      : path_(path), value_(value), where_(std::move(where)) {}
+
+  [[noreturn]] void fail(const std::string& what) const {
+    throw file_error(path_, 0, fmt::format("{}: {}", where_.empty() ? "the file" : where_, what));
+  }
+
+  /// The members, each of which has to be one of those named.
+  std::vector<std::pair<std::string, field>> members(const std::vector<std::string>& known) const {
+    if (!value_.is_object()) fail(fmt::format("is {}, expected an object", value_.type_name()));
+    std::vector<std::pair<std::string, field>> all;
+    for (const auto& [key, value] : value_.items()) {
+      if (std::ranges::find(known, key) == known.end())
+        fail(fmt::format("has '{}', expected {}", printable(key), fmt::join(known, ", ")));
+      all.emplace_back(key, field(path_, value, where_.empty() ? key : where_ + "." + key));
+    }
+    return all;
+  }
+
+  std::vector<field> elements() const {
+    if (!value_.is_array()) fail(fmt::format("is {}, expected an array", value_.type_name()));
+    std::vector<field> all;
+    for (std::size_t i = 0; i < value_.size(); ++i)
+      all.emplace_back(path_, value_[i], fmt::format("{}[{}]", where_, i));
+    return all;
+  }
+
+  double number(double least, double most) const {
+    if (!value_.is_number() || !(value_.get<double>() >= least && value_.get<double>() <= most))
+      fail(fmt::format("is {}, expected a number in [{}, {}]", value_.dump(), least, most));
+    return value_.get<double>();
+  }
+  int integer(int least, int most) const {
+    const double value = number(least, most);
+    if (value != std::floor(value)) fail(fmt::format("is {}, expected an integer", value_.dump()));
+    return static_cast<int>(value);
+  }
+  std::string text() const {
+    if (!value_.is_string()) fail(fmt::format("is {}, expected a string", value_.type_name()));
+    return value_.get<std::string>();
+  }
+
+  std::array<double, 3> triple(double least, double most) const {
+    const std::vector<field> all = elements();
+    if (all.size() != 3) fail(fmt::format("has {} elements, expected three", all.size()));
+    return {all[0].number(least, most), all[1].number(least, most), all[2].number(least, most)};
+  }
+  rgb colour() const { return triple(0, 1); }
+  vec place() const {
+    const auto at = triple(-mesh::kLargest, mesh::kLargest);
+    return {at[0], at[1], at[2]};
+  }
+  vec direction() const {
+    const vec at = place();
+    if (golden::dot(at, at) == 0) fail("is zero, expected a direction");
+    return at;
+  }
+
+ private:
+  const std::string& path_;
+  const json& value_;
+  std::string where_;
+};
+
+light read_light(const field& from) {
+  light made;
+  bool has_place = false;
+  for (const auto& [key, value] : from.members({"direction", "position", "colour"})) {
+    if (key == "colour") {
+      made.colour = value.colour();
+      continue;
+    }
+    if (has_place) from.fail("has direction and position, expected one of them");
+    has_place = true;
+    made.is_point = key == "position";
+    made.at = made.is_point ? value.place() : value.direction();
+  }
+  if (!has_place) from.fail("has neither direction nor position, expected one of them");
+  return made;
+}
+
+void read_camera(const field& from, camera& view) {
+  for (const auto& [key, value] : from.members({"eye", "target", "up", "fov"})) {
+    if (key == "fov") {
+      view.fov_deg = value.number(0.001, 179);
+    } else if (key == "up") {
+      view.up = value.direction();
+    } else {
+      (key == "eye" ? view.eye : view.target) = value.place();
+    }
+  }
+}
+
+void read_material(const field& from, material& to) {
+  for (const auto& [key, value] : from.members({"ka", "kd", "ks", "n", "emitted"})) {
+    if (key == "n") {
+      to.n = value.integer(1, 1000);
+    } else {
+      rgb& share = key == "ka" ? to.ka : key == "kd" ? to.kd : key == "ks" ? to.ks : to.emitted;
+      share = value.colour();
+    }
+  }
+}
+
+/// Materials of the mesh by name; "*" is all of them.
+void read_materials(const field& from, const std::vector<std::pair<std::string, field>>& all,
+                    std::vector<material>& materials) {
+  for (const auto& [name, value] : all) {
+    bool found = false;
+    for (material& each : materials) {
+      if (name != "*" && each.name != name) continue;
+      read_material(value, each);
+      found = true;
+    }
+    if (!found) {
+      std::vector<std::string> names;
+      std::ranges::transform(materials, std::back_inserter(names), &material::name);
+      from.fail(fmt::format("has '{}', which the mesh has not, expected *, {}", printable(name),
+                            fmt::join(names, ", ")));
+    }
+  }
+}
+
+json parsed(const std::string& path, const std::string& text) {
+  try {
+    return json::parse(text);
+  } catch (const json::parse_error& error) {
+    const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
+    const auto line = static_cast<std::size_t>(1 + std::count(text.begin(), end, '\n'));
+    throw file_error(path, line, "is no JSON here, expected a scene as docs/scenes.md has it");
+  }
+}
+
+std::string text_of_size(const field& from) {
+  const std::vector<field> all = from.elements();
+  if (all.size() != 2) from.fail(fmt::format("has {} elements, expected width and height", all.size()));
+  constexpr int kMost = 1 << 14;
+  return fmt::format("{}x{}", all[0].integer(1, kMost), all[1].integer(1, kMost));
+}
+
+}  // namespace
+
+void check_camera(const std::string& where, const camera& view) {
+  const vec forward = golden::normalised(view.target - view.eye);
+  const vec right = cross(forward, golden::normalised(view.up));
+  const auto fail = [&](const char* what) { throw usage_error(where + ": " + what); };
+  if (golden::dot(forward, forward) == 0) fail("eye and target are one place, expected two");
+  if (golden::dot(right, right) < 1e-24) fail("up points where the camera looks, expected another direction");
+}
+
+read_world read_scene_file(const std::string& path, const std::string& text, int density) {
+  const json root = parsed(path, text);
+  const field all(path, root, "");
+  const auto members =
+      all.members({"mesh", "density", "materials", "lights", "ambient", "background", "camera", "size",
+                   "shading", "perspective", "device", "format", "engine"});
+  const auto find = [&](const char* key) {
+    const auto found = std::ranges::find(members, key, [](const auto& of) { return of.first; });
+    return found == members.end() ? nullptr : &found->second;
+  };
+  const field* const mesh_name = find("mesh");
+  if (mesh_name == nullptr) all.fail("has no mesh, expected its name");
+  std::string name = mesh_name->text();
+  if (find_shape(name) == nullptr) {
+    name = (std::filesystem::path(path).parent_path() / name).string();
+    if (name.ends_with(".json")) mesh_name->fail("is a scene, expected a mesh");
+  }
+  if (density == 0 && find("density") != nullptr) density = find("density")->integer(1, kMostDensity);
+  read_world read = read_scene(name, density);
+  world& made = read.of;
+  for (const auto& [key, value] : members) {
+    if (key == "materials") {
+      std::vector<std::string> names{"*"};
+      std::ranges::transform(made.surface.materials, std::back_inserter(names), &material::name);
+      read_materials(value, value.members(names), made.surface.materials);
+    } else if (key == "lights") {
+      made.lights.clear();
+      for (const field& each : value.elements()) made.lights.push_back(read_light(each));
+    } else if (key == "ambient" || key == "background") {
+      (key == "ambient" ? made.ambient : made.background) = value.colour();
+    } else if (key == "camera") {
+      made.view = fitted_camera(made.surface);
+      read_camera(value, *made.view);
+      check_camera(path + ": camera", *made.view);
+    } else if (key == "size") {
+      read.options[key] = text_of_size(value);
+    } else if (key == "shading" || key == "perspective" || key == "device" || key == "format" ||
+               key == "engine") {
+      read.options[key] = value.text();
+    }
+  }
+  return read;
+}
+
+}  // namespace blysk::scene
