@@ -74,6 +74,7 @@ int run(const options& asked) {
       is_fine = is_current(path, text) && is_fine;
       continue;
     }
+    fs::create_directories(fs::path(path).parent_path());
     output_file file(path);
     file.write(text);
     file.close();
