@@ -52,7 +52,8 @@ std::map<std::string, std::string> names_of_all() {
     for (const auto& [name, width] : each->widths(choose(each->name(), std::string(format_names[0])))) {
       std::string& help = names[name];
       if (help.find("bits, such as") == std::string::npos)
-        help += fmt::format("{}bits, such as 12 or 8..12: errors are measured now", help.empty() ? "" : "; or ");
+        help +=
+            fmt::format("{}bits, such as 12 or 8..12: errors are measured now", help.empty() ? "" : "; or ");
     }
   }
   return names;
@@ -94,15 +95,16 @@ std::vector<cost::configuration> measured_rows(const options& asked) {
   if (!asked.device.empty())
     choose(asked.device, asked.format.empty() ? std::string(format_names[0]) : asked.format, asked.named);
   else if (!asked.named.empty())
-    throw usage_error(fmt::format("--{} is of a device, expected --device with it", asked.named.begin()->first));
+    throw usage_error(
+        fmt::format("--{} is of a device, expected --device with it", asked.named.begin()->first));
   else if (!asked.format.empty())
     choose(devices().front()->name(), asked.format);
   std::vector<cost::configuration> rows = cost::read_measured(asked.measured);
   std::erase_if(rows, [&](const cost::configuration& each) {
     if (!asked.device.empty() && each.asked.of().name() != asked.device) return true;
     if (!asked.format.empty() && each.asked.format() != asked.format) return true;
-    return std::ranges::any_of(
-        asked.named, [&](const auto& of) { return each.asked.value(of.first) != of.second; });
+    return std::ranges::any_of(asked.named,
+                               [&](const auto& of) { return each.asked.value(of.first) != of.second; });
   });
   cost::look_for_stale(rows);
   return rows;
@@ -114,21 +116,25 @@ void print_table(const options& asked, const std::vector<cost::configuration>& r
   if (asked.json) {
     fmt::print("{}\n", json_rows(rows, domains_of(asked)).dump(2));
   } else if (asked.csv) {
-    fmt::print("{}", csv_of(json_rows(rows, domains_of(asked))));
+    fmt::print("{}", cost::csv_of(json_rows(rows, domains_of(asked))));
   } else if (asked.markdown) {
     fmt::print("{}", markdown_table(rows, by, where));
   } else if (asked.html.empty()) {
     fmt::print(
-        "{}\nerror: {}; RAM: blocks of 4096 bits; LUT + DSP: with DSP blocks of an UP5K; MHz: median [least..most]\n"
-        "of the seeds; M/s: million results a second, iCE40 at the slowest seed; NAND2, ns: OSU018; latency: clock "
+        "{}\nerror: {}; RAM: blocks of 4096 bits; LUT + DSP: with DSP blocks of an UP5K; MHz: median "
+        "[least..most]\n"
+        "of the seeds; M/s: million results a second, iCE40 at the slowest seed; NAND2, ns: OSU018; latency: "
+        "clock "
         "cycles;\ngolden .. verilator: seconds of one host core for a million results\n",
         plain_table(rows, by, where), by.what);
     const auto stale = std::ranges::count_if(rows, &cost::configuration::is_stale);
     if (stale != 0)
-      fmt::print(stderr, "blysk: {} rows are stale: the exported Verilog has changed since; scripts/synth measures them\n",
-                 stale);
+      fmt::print(
+          stderr,
+          "blysk: {} rows are stale: the exported Verilog has changed since; scripts/synth measures them\n",
+          stale);
   }
-  if (!asked.html.empty()) write_or_print(asked.html, html_page(json_rows(rows, domains_of(asked))));
+  if (!asked.html.empty()) write_or_print(asked.html, cost::html_page(json_rows(rows, domains_of(asked))));
 }
 
 /// What is said of a choice, and the exit status.
@@ -158,8 +164,8 @@ int answer(const options& asked, const std::vector<cost::configuration>& rows) {
   const auto line = [&](const char* name, const cost::configuration* of) {
     if (of == nullptr) return;
     fmt::print("{:<10} {}: {} {}, {} {} in {}{}\n           {}\n", name, of->label(), by.key,
-               cost::number_text(by.of(of->errors->at(static_cast<std::size_t>(where)))), *in.cost(*of), in.unit,
-               in.what, of->is_stale ? ", stale" : "", of->command());
+               cost::number_text(by.of(of->errors->at(static_cast<std::size_t>(where)))), *in.cost(*of),
+               in.unit, in.what, of->is_stale ? ", stale" : "", of->command());
   };
   if (found.cheapest == nullptr) {
     fmt::print("cheapest   none: no measured configuration has {} <= {}{}\n", by.key, asked.tolerance,
@@ -196,12 +202,12 @@ void print_sweep(const options& asked, const cost::sweep& of, const std::vector<
   if (asked.json) {
     fmt::print("{}\n", printed.dump(2));
   } else if (asked.csv) {
-    fmt::print("{}", csv_of(printed));
+    fmt::print("{}", cost::csv_of(printed));
   } else {
     const cost::metric& by = cost::find_metric(asked.metric);
     const cost::domain where = domain_of(asked);
-    fmt::print("{} in {} of {}\n", by.key, std::ranges::find(cost::kDomains, where, &cost::named_domain::which)->name,
-               of.device);
+    fmt::print("{} in {} of {}\n", by.key,
+               std::ranges::find(cost::kDomains, where, &cost::named_domain::which)->name, of.device);
     for (const cost::sweep_row& row : rows) {
       std::string bits;
       for (const auto& [name, width] : row.bits) bits += fmt::format("{} {:>2}  ", name, width);
@@ -216,7 +222,8 @@ void measure(const options& asked) {
   cost::sweep of = sweep_of(asked);
   if (!asked.format.empty()) {  // its word lengths, where no range is given
     const selection named = choose(of.device, asked.format, of.options);
-    for (const auto& [name, width] : named.of().widths(named)) of.widths.try_emplace(name, cost::width_range{width, width});
+    for (const auto& [name, width] : named.of().widths(named))
+      of.widths.try_emplace(name, cost::width_range{width, width});
   }
   domains_of(asked);
   cost::find_metric(asked.metric);
@@ -224,7 +231,8 @@ void measure(const options& asked) {
   if (points.empty())
     throw usage_error("no combination of these word lengths fits the device's laws, expected one that does");
   if (refused > 0)
-    fmt::print(stderr, "blysk: {} combinations are left out, whose nets would not fit the laws or 64 bits\n", refused);
+    fmt::print(stderr, "blysk: {} combinations are left out, whose nets would not fit the laws or 64 bits\n",
+               refused);
   constexpr std::size_t kSteps = 1000;
   std::vector<cost::sweep_row> rows;
   {
@@ -252,10 +260,12 @@ int run(const options& asked) {
     return 0;
   }
   if (!asked.output.empty() || asked.shard != "1/1")
-    throw usage_error("--output and --shard are of a sweep, expected ranges of word lengths or --measure with them");
+    throw usage_error(
+        "--output and --shard are of a sweep, expected ranges of word lengths or --measure with them");
   const std::vector<cost::configuration> rows = measured_rows(asked);
   if (!asked.tolerance.empty()) return answer(asked, rows);
-  if (!asked.clock.empty()) throw usage_error("--clock is a condition on what is cheapest, expected --tolerance with it");
+  if (!asked.clock.empty())
+    throw usage_error("--clock is a condition on what is cheapest, expected --tolerance with it");
   print_table(asked, rows);
   return 0;
 }
@@ -263,20 +273,23 @@ int run(const options& asked) {
 }  // namespace
 
 void add_explore(CLI::App& program, int& status) {
-  auto* verb = program.add_subcommand("explore", "Show what accuracy costs: measured rows, or errors measured now");
+  auto* verb =
+      program.add_subcommand("explore", "Show what accuracy costs: measured rows, or errors measured now");
   auto asked = std::make_shared<options>();
   verb->add_option("--device", asked->device, "rows of this device only");
   verb->add_option("--format", asked->format, "rows of this format only");
   for (const auto& [name, help] : names_of_all()) {
+    const std::string key = name;
     bool is_flag = false;
     for (const device* each : devices()) {
-      for (const option& own : each->options()) is_flag = is_flag || (own.name == name && own.is_flag());
+      for (const option& own : each->options()) is_flag = is_flag || (own.name == key && own.is_flag());
     }
     if (is_flag) {
-      verb->add_flag_callback("--" + name, [asked, name = name] { asked->named[name] = "on"; }, help);
+      verb->add_flag_callback(
+          "--" + key, [asked, key] { asked->named[key] = "on"; }, help);
     } else {
       verb->add_option_function<std::string>(
-          "--" + name, [asked, name = name](const std::string& value) { asked->named[name] = value; }, help);
+          "--" + key, [asked, key](const std::string& value) { asked->named[key] = value; }, help);
     }
   }
   verb->add_option("--measured", asked->measured,
@@ -299,12 +312,16 @@ void add_explore(CLI::App& program, int& status) {
   form->add_flag("--json", asked->json, "print JSON");
   form->add_flag("--csv", asked->csv, "print CSV");
   form->add_flag("--markdown", asked->markdown, "print a table in Markdown");
-  form->add_option("--html", asked->html, "write one page with a picture that answers to the mouse; - for standard output");
+  form->add_option("--html", asked->html,
+                   "write one page with a picture that answers to the mouse; - for standard output");
   form->require_option(0, 1);
   verb->add_flag("--measure", asked->measures, "measure the errors now");
-  verb->add_option("--output", asked->output, "folder that keeps the rows of a sweep, which then goes on after a stop");
+  verb->add_option("--output", asked->output,
+                   "folder that keeps the rows of a sweep, which then goes on after a stop");
   verb->add_option("--shard", asked->shard, "which part of a sweep, such as 2/8")->capture_default_str();
-  verb->add_option("--jobs", asked->jobs, "threads at work")->check(CLI::Range(1, 1024))->capture_default_str();
+  verb->add_option("--jobs", asked->jobs, "threads at work")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
   auto* merge = verb->add_subcommand("merge", "Bring the folders of all shards together");
   merge->add_option("FOLDERS", asked->shards, "of the shards")->required();
   merge->add_option("--output", asked->merged, "folder for the whole, empty or new")->required();
@@ -314,7 +331,8 @@ void add_explore(CLI::App& program, int& status) {
       "  blysk explore --tolerance 0.05 --metric max_abs_err --domain epicentre --target asic --clock 50MHz\n"
       "  blysk explore --html front.html\n"
       "  blysk explore --cos 8..12 --coefficient 6..10 --output sweep --jobs 2\n"
-      "  blysk explore --cos 8..12 --shard 1/2 --output part1; blysk explore merge part1 part2 --output sweep");
+      "  blysk explore --cos 8..12 --shard 1/2 --output part1; blysk explore merge part1 part2 --output "
+      "sweep");
   verb->callback([asked, merge, &status] {
     if (merge->parsed()) {
       const auto [of, rows] = cost::merge_shards(asked->shards, asked->merged);

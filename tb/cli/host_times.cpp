@@ -127,7 +127,8 @@ double four_digits(double value) {
 int run(const std::string& path) {
   output_file file(path);
   nlohmann::ordered_json rows = nlohmann::ordered_json::array();
-  progress shown("measuring times", devices().size() * std::size(format_names) * cli::engine_choices().size());
+  progress shown("measuring times",
+                 devices().size() * std::size(format_names) * cli::engine_choices().size());
   for (const device* each : devices()) {
     for (const std::string_view format : format_names) {
       for (const cli::engine_choice& choice : cli::engine_choices()) {
@@ -142,10 +143,11 @@ int run(const std::string& path) {
       }
     }
   }
-  const nlohmann::ordered_json all{{"processor", processor()},
-                                   {"seconds", "processor time of one core for 10^6 results, median of 5 runs"},
-                                   {"ratio", "to as many cos^n by std::pow in double, measured beside each run"},
-                                   {"rows", rows}};
+  const nlohmann::ordered_json all{
+      {"processor", processor()},
+      {"seconds", "processor time of one core for 10^6 results, median of 5 runs"},
+      {"ratio", "to as many cos^n by std::pow in double, measured beside each run"},
+      {"rows", rows}};
   file.write(all.dump(1) + "\n");
   file.close();
   file.commit();

@@ -93,7 +93,9 @@ int main(int argc, char** argv) {
         program.add_option("DEVICE", asked.device, "name of a device")->required();
         program.add_option("FORMAT", asked.formats, "named formats")->required();
         program.add_option("--options", asked.line, "of the device, in one word: '--rom clocked'");
-        program.add_option("--threads", asked.threads, "at work")->check(CLI::Range(1, 256))->capture_default_str();
+        program.add_option("--threads", asked.threads, "at work")
+            ->check(CLI::Range(1, 256))
+            ->capture_default_str();
         auto* actions = program.add_option_group("action");
         actions->add_option("--output", asked.output, "folder to write below, such as docs/tables");
         actions->add_option("--check", asked.check, "folder to compare with");

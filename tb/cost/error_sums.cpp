@@ -37,7 +37,8 @@ struct range_peaks {
   sums.energy[lane] += exact * exact;
   peaks.abs[lane] = size > peaks.abs[lane] ? size : peaks.abs[lane];
   const double off = std::fabs(device - std::floor(exact * ulps + 0.5));
-  for (std::size_t k = 0; k < sums.ulps.size(); ++k) sums.ulps[k][lane] += off == static_cast<double>(k) ? 1.0 : 0.0;
+  for (std::size_t k = 0; k < sums.ulps.size(); ++k)
+    sums.ulps[k][lane] += off == static_cast<double>(k) ? 1.0 : 0.0;
   const bool counts = exact * ulps >= 0.5;
   const double relative = (counts ? size : 0.0) / (counts ? exact : 1.0);
   sums.relative[lane] += relative;
@@ -48,8 +49,8 @@ struct range_peaks {
 }
 
 /// Points first..last - 1, the first of which has one before it in the block.
-BLYSK_VECTOR_CLONES void add_range(const point_block& block, std::size_t first, std::size_t last, error_sums& sums,
-                                   range_peaks& peaks) {
+BLYSK_VECTOR_CLONES void add_range(const point_block& block, std::size_t first, std::size_t last,
+                                   error_sums& sums, range_peaks& peaks) {
   const double ulp = std::ldexp(1.0, -block.bits);
   const double ulps = std::ldexp(1.0, block.bits);
   error_sums local = sums;
@@ -70,7 +71,8 @@ BLYSK_VECTOR_CLONES void add_range(const point_block& block, std::size_t first, 
   peaks = local_peaks;
 }
 
-BLYSK_VECTOR_CLONES void multiply_range(const double* cosines, double* power, double* rest, std::size_t size) {
+BLYSK_VECTOR_CLONES void multiply_range(const double* cosines, double* power, double* rest,
+                                        std::size_t size) {
 #pragma omp simd
   for (std::size_t i = 0; i < size; ++i) {
     const double product = power[i] * cosines[i];
@@ -111,7 +113,9 @@ void add_points(const point_block& block, std::size_t first, std::size_t last, e
 void add_lit_points(const point_block& block, error_sums& sums) {
   const double least = std::ldexp(kHalfStep, block.bits);
   const std::size_t size = block.cosines.size();
-  const auto is_lit = [&](std::size_t i) { return std::fabs(block.device[i]) >= least || block.exact[i] >= kHalfStep; };
+  const auto is_lit = [&](std::size_t i) {
+    return std::fabs(block.device[i]) >= least || block.exact[i] >= kHalfStep;
+  };
   for (std::size_t first = 0; first < size; ++first) {
     if (!is_lit(first)) continue;
     std::size_t last = first + 1;

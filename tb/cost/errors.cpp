@@ -64,7 +64,8 @@ struct edges {
       std::array<double, kCount>& row = of_n.emplace_back();
       for (std::size_t e = 0; e < golden::kEpicentres.size(); ++e) {
         // cos = 0 is in none, although the inflection point of n = 1 lies there.
-        row[1 + e] = std::max(golden::epicentre_edge(golden::kEpicentres[e], n), std::numeric_limits<double>::min());
+        row[1 + e] =
+            std::max(golden::epicentre_edge(golden::kEpicentres[e], n), std::numeric_limits<double>::min());
       }
       row[0] = *std::min_element(row.begin() + 1, row.end());
     }
@@ -85,7 +86,8 @@ class block_meter {
       : of_(of), points_(points), epicentres_(epicentres), model_(of.make()), in_(of.stimulus) {
     const auto exponents = static_cast<std::size_t>(of.last_n - of.first_n + 1);
     last_.resize(exponents);
-    for (std::size_t channel = specular::kRed; channel <= specular::kBlue; ++channel) set_column(channel, kBlock, 0);
+    for (std::size_t channel = specular::kRed; channel <= specular::kBlue; ++channel)
+      set_column(channel, kBlock, 0);
   }
 
   chunk_sums measure(std::size_t first, std::size_t last) {
@@ -101,7 +103,9 @@ class block_meter {
   template <class T>
   void set_column(std::size_t index, std::size_t size, T value) {
     in_[index].resize(size);
-    in_[index].visit([&](auto& of) { std::ranges::fill(of, static_cast<typename std::decay_t<decltype(of)>::value_type>(value)); });
+    in_[index].visit([&](auto& of) {
+      std::ranges::fill(of, static_cast<typename std::decay_t<decltype(of)>::value_type>(value));
+    });
   }
 
   void set_cosines(std::size_t begin, std::size_t size) {
@@ -186,14 +190,15 @@ domain find_domain(const std::string& name) {
   const auto found = std::ranges::find(kDomains, name, &named_domain::name);
   if (found != kDomains.end()) return found->which;
   std::string names;
-  for (const named_domain& each : kDomains) names += fmt::format("{}{}", names.empty() ? "" : ", ", each.name);
+  for (const named_domain& each : kDomains)
+    names += fmt::format("{}{}", names.empty() ? "" : ", ", each.name);
   throw std::invalid_argument(fmt::format("domain {} does not exist, expected {}", name, names));
 }
 
 judged judge(const selection& asked) {
   if (dynamic_cast<const specular::device_of_points*>(&asked.of()) == nullptr) {
-    throw std::invalid_argument(
-        fmt::format("device {} has no BRDF of n and cos, expected one that shades points", asked.of().name()));
+    throw std::invalid_argument(fmt::format(
+        "device {} has no BRDF of n and cos, expected one that shades points", asked.of().name()));
   }
   return {[asked] { return asked.of().make_bit(asked); },
           columns(asked.of().ports(asked), port::role::data).layout(), asked.fraction()};
@@ -277,19 +282,18 @@ error_table parse_errors(const std::string& path, const nlohmann::ordered_json& 
     for (const named_domain& each : kDomains) {
       const auto& of = domains.at(std::string(each.name));
       if (of.at("status") != "exhaustive") throw std::domain_error("status is not exhaustive");
-      table[static_cast<std::size_t>(each.which)] = {of.at("points"),       of.at("max_abs_err"),
-                                                     of.at("max_abs_n"),    of.at("max_abs_cos"),
-                                                     of.at("mean_abs_err"), of.at("bias"),
-                                                     of.at("rms_err"),      of.at("error_probability"),
-                                                     of.at("max_rel_err"),  of.at("mean_rel_err"),
-                                                     of.at("relative_points"), of.at("ulps"),
-                                                     of.at("falls"),        of.at("nmse"),
-                                                     of.at("max_step")};
+      table[static_cast<std::size_t>(each.which)] = {
+          of.at("points"),       of.at("max_abs_err"),  of.at("max_abs_n"),       of.at("max_abs_cos"),
+          of.at("mean_abs_err"), of.at("bias"),         of.at("rms_err"),         of.at("error_probability"),
+          of.at("max_rel_err"),  of.at("mean_rel_err"), of.at("relative_points"), of.at("ulps"),
+          of.at("falls"),        of.at("nmse"),         of.at("max_step")};
     }
   } catch (const nlohmann::json::exception&) {
-    throw file_error(path, 0, "is damaged: a key is missing or of another type, expected errors as blysk writes them");
+    throw file_error(path, 0,
+                     "is damaged: a key is missing or of another type, expected errors as blysk writes them");
   } catch (const std::domain_error& error) {
-    throw file_error(path, 0, fmt::format("is damaged: {}, expected errors as blysk writes them", error.what()));
+    throw file_error(path, 0,
+                     fmt::format("is damaged: {}, expected errors as blysk writes them", error.what()));
   }
   return table;
 }

@@ -37,7 +37,8 @@ constexpr const char* kHostTimes = "host_times.json";
 std::vector<named_text> texts_of(const std::string& folder) {
   std::vector<named_text> texts;
   if (folder.empty()) {
-    for (const measured_file& each : embedded_files()) texts.push_back({std::string(each.path), std::string(each.text)});
+    for (const measured_file& each : embedded_files())
+      texts.push_back({std::string(each.path), std::string(each.text)});
     return texts;
   }
   if (!fs::is_directory(folder)) throw file_error(folder, 0, "is no folder, expected one with measured rows");
@@ -46,15 +47,17 @@ std::vector<named_text> texts_of(const std::string& folder) {
     if (entry.is_regular_file() && (is_row(name) || name == kHostTimes))
       texts.push_back({entry.path().string(), read_file(entry.path())});
   }
-  if (texts.empty()) throw file_error(folder, 0, "holds no measured rows, expected cost_*.json or errors_*.json");
+  if (texts.empty())
+    throw file_error(folder, 0, "holds no measured rows, expected cost_*.json or errors_*.json");
   std::ranges::sort(texts, {}, &named_text::path);
   return texts;
 }
 
 /// The configuration of a row, a new one if there is none yet.
 /// \throws usage_error if the program has no such device, format or option
-configuration& find_or_add(std::vector<configuration>& all, const std::string& path, const std::string& device,
-                           const std::string& format, const std::map<std::string, std::string>& options) {
+configuration& find_or_add(std::vector<configuration>& all, const std::string& path,
+                           const std::string& device, const std::string& format,
+                           const std::map<std::string, std::string>& options) {
   const auto found = std::ranges::find_if(all, [&](const configuration& each) {
     return each.asked.of().name() == device && each.asked.format() == format &&
            given_options(each.asked) == options;
@@ -73,8 +76,9 @@ void add_errors(std::vector<configuration>& all, const named_text& file) {
     configuration& of = find_or_add(all, file.path, row.at("device"), row.at("format"), row.at("options"));
     of.errors = parse_errors(file.path, row.at("domains"));
   } catch (const json::exception&) {
-    throw file_error(file.path, 0,
-                     "is damaged: a key is missing or of another type, expected a row of the target update_errors");
+    throw file_error(
+        file.path, 0,
+        "is damaged: a key is missing or of another type, expected a row of the target update_errors");
   }
 }
 
@@ -90,8 +94,9 @@ void add_host_times(std::vector<configuration>& all, const named_text& file) {
       }
     }
   } catch (const json::exception&) {
-    throw file_error(file.path, 0,
-                     "is damaged: a key is missing or of another type, expected what the target update_host_times writes");
+    throw file_error(
+        file.path, 0,
+        "is damaged: a key is missing or of another type, expected what the target update_host_times writes");
   }
 }
 
@@ -113,8 +118,9 @@ bool differs(const std::optional<Part>& part, const std::string& digest) {
 
 int configuration::cycles_per_result() const {
   const std::vector<port> ports = asked.of().ports(asked);
-  const bool trails = std::ranges::any_of(
-      ports, [](const port& each) { return each.is == port::role::strobe && each.edge == write_edge::trailing; });
+  const bool trails = std::ranges::any_of(ports, [](const port& each) {
+    return each.is == port::role::strobe && each.edge == write_edge::trailing;
+  });
   return latency_cycles() + (trails ? 1 : 0);
 }
 
@@ -138,7 +144,8 @@ namespace {
 
 std::string words_of(const std::map<std::string, std::string>& options) {
   std::string words;
-  for (const auto& [name, value] : options) words += fmt::format(" --{}{}", name, value == "on" ? "" : " " + value);
+  for (const auto& [name, value] : options)
+    words += fmt::format(" --{}{}", name, value == "on" ? "" : " " + value);
   return words;
 }
 
@@ -146,8 +153,9 @@ std::string words_of(const std::map<std::string, std::string>& options) {
 
 std::string configuration::command() const {
   const std::string words = words_of(given_options(asked));
-  return fmt::format("scripts/synth {0} {1}{2} && build/bin/blysk explore --measure --device {0} --format {1}{2}",
-                     asked.of().name(), asked.format(), words);
+  return fmt::format(
+      "scripts/synth {0} {1}{2} && build/bin/blysk explore --measure --device {0} --format {1}{2}",
+      asked.of().name(), asked.format(), words);
 }
 
 std::string configuration::label() const {

@@ -66,15 +66,18 @@ void write_file(const fs::path& path, const std::string& text) {
 std::pair<sweep, shard> read_description(const fs::path& folder) {
   const std::string path = (folder / kDescription).string();
   if (!fs::exists(path))
-    throw file_error(folder.string(), 0, fmt::format("has no {}, expected the folder of a sweep", kDescription));
+    throw file_error(folder.string(), 0,
+                     fmt::format("has no {}, expected the folder of a sweep", kDescription));
   const json stored = parse_json(path, read_file(path));
   try {
     sweep of{stored.at("device"), stored.at("options"), {}};
-    for (const auto& [name, range] : stored.at("word_lengths").items()) of.widths[name] = parse_range(name, range);
+    for (const auto& [name, range] : stored.at("word_lengths").items())
+      of.widths[name] = parse_range(name, range);
     of.check();
     return {of, parse_shard(stored.at("shard"))};
   } catch (const json::exception&) {
-    throw file_error(path, 0, "is damaged: a key is missing or of another type, expected what blysk explore wrote");
+    throw file_error(path, 0,
+                     "is damaged: a key is missing or of another type, expected what blysk explore wrote");
   } catch (const std::invalid_argument& error) {
     throw file_error(path, 0, fmt::format("is damaged: {}", error.what()));
   }
@@ -86,8 +89,10 @@ fs::path place_of(const fs::path& folder, const word_lengths& bits) {
 
 error_table read_row(const fs::path& path, const word_lengths& bits) {
   const json stored = parse_json(path.string(), read_file(path));
-  if (!stored.is_object() || !stored.contains("domains") || stored.value("word_lengths", json()) != json(bits))
-    throw file_error(path.string(), 0, "is damaged, expected a row of this sweep; removing it measures it again");
+  if (!stored.is_object() || !stored.contains("domains") ||
+      stored.value("word_lengths", json()) != json(bits))
+    throw file_error(path.string(), 0,
+                     "is damaged, expected a row of this sweep; removing it measures it again");
   return parse_errors(path.string(), stored["domains"]);
 }
 
@@ -121,13 +126,16 @@ void claim(const fs::path& folder, const sweep& of, const shard& part) {
   if (fs::exists(path)) {
     const auto [there, its_part] = read_description(folder);
     if (json_of(there, its_part) != wanted)
-      throw file_error(folder.string(), 0, fmt::format("belongs to another sweep or shard, see {}; expected a new folder", kDescription));
+      throw file_error(
+          folder.string(), 0,
+          fmt::format("belongs to another sweep or shard, see {}; expected a new folder", kDescription));
     return;
   }
   for (const auto& entry : fs::directory_iterator(folder)) {
     const std::string name = entry.path().filename().string();
     if (!name.starts_with('.'))
-      throw file_error(folder.string(), 0, fmt::format("holds {}, expected an empty folder or that of the same sweep", name));
+      throw file_error(folder.string(), 0,
+                       fmt::format("holds {}, expected an empty folder or that of the same sweep", name));
   }
   write_file(path, stored_text(wanted));
 }
@@ -161,7 +169,8 @@ shard parse_shard(const std::string& text) {
     const std::optional<int> count = read_int(std::string_view(text).substr(slash + 1));
     if (index && count && 1 <= *index && *index <= *count) return {*index, *count};
   }
-  throw std::invalid_argument(fmt::format("--shard is {}, expected one of so many, such as 1/4 .. 4/4", text));
+  throw std::invalid_argument(
+      fmt::format("--shard is {}, expected one of so many, such as 1/4 .. 4/4", text));
 }
 
 void sweep::check() const {
@@ -176,7 +185,8 @@ void sweep::check() const {
           fmt::format("device {} has no word length {}, expected {}", device, name, names));
     if (name == "cos" && range.last > kWidestCosine)
       throw std::invalid_argument(
-          fmt::format("--cos goes to {}, expected at most {}, where every input can be tried", range.last, kWidestCosine));
+          fmt::format("--cos goes to {}, expected at most {}, where every input can be tried", range.last,
+                      kWidestCosine));
   }
 }
 
@@ -223,7 +233,8 @@ std::vector<sweep_row> run_sweep(const sweep& of, const sweep_settings& settings
   std::vector<sweep_point> points;
   const auto [all, refused] = points_of(of);
   for (std::size_t i = 0; i < all.size(); ++i) {
-    if (i % static_cast<std::size_t>(settings.part.count) + 1 == static_cast<std::size_t>(settings.part.index))
+    if (i % static_cast<std::size_t>(settings.part.count) + 1 ==
+        static_cast<std::size_t>(settings.part.index))
       points.push_back(all[i]);
   }
   const bool is_kept = !settings.folder.empty();
@@ -236,7 +247,8 @@ std::vector<sweep_row> run_sweep(const sweep& of, const sweep_settings& settings
   for (const sweep_point& point : points) {
     const fs::path place = is_kept ? place_of(settings.folder, point.bits) : fs::path();
     const auto share = [&](double of_row) {
-      if (advanced) advanced((static_cast<double>(rows.size()) + of_row) / static_cast<double>(points.size()));
+      if (advanced)
+        advanced((static_cast<double>(rows.size()) + of_row) / static_cast<double>(points.size()));
     };
     if (is_kept && fs::exists(place)) {
       rows.push_back({point.bits, read_row(place, point.bits)});
@@ -252,7 +264,8 @@ std::vector<sweep_row> run_sweep(const sweep& of, const sweep_settings& settings
   return rows;
 }
 
-std::pair<sweep, std::vector<sweep_row>> merge_shards(const std::vector<std::string>& folders, const std::string& to) {
+std::pair<sweep, std::vector<sweep_row>> merge_shards(const std::vector<std::string>& folders,
+                                                      const std::string& to) {
   std::optional<sweep> of;
   std::map<std::string, std::string> texts;
   std::set<int> missing;
@@ -265,9 +278,11 @@ std::pair<sweep, std::vector<sweep_row>> merge_shards(const std::vector<std::str
       for (int i = 1; i <= count; ++i) missing.insert(i);
     }
     if (json_of(its, {}) != json_of(*of, {}) || part.count != count)
-      throw file_error(folder, 0, fmt::format("is of another sweep than {}, expected shards of one", folders.front()));
+      throw file_error(folder, 0,
+                       fmt::format("is of another sweep than {}, expected shards of one", folders.front()));
     if (missing.erase(part.index) == 0)
-      throw file_error(folder, 0, fmt::format("is shard {}/{} once more, expected each once", part.index, count));
+      throw file_error(folder, 0,
+                       fmt::format("is shard {}/{} once more, expected each once", part.index, count));
     for (const auto& entry : fs::directory_iterator(folder)) {
       const std::string name = entry.path().filename().string();
       if (!name.starts_with('.') && name != kDescription) texts[name] = read_file(entry.path());
@@ -275,7 +290,8 @@ std::pair<sweep, std::vector<sweep_row>> merge_shards(const std::vector<std::str
   }
   if (!of) throw usage_error("merge has no folders, expected those of all shards");
   if (!missing.empty())
-    throw usage_error(fmt::format("shard {}/{} is missing, expected the folders of all shards", *missing.begin(), count));
+    throw usage_error(
+        fmt::format("shard {}/{} is missing, expected the folders of all shards", *missing.begin(), count));
   std::vector<sweep_row> rows;
   for (const sweep_point& point : points_of(*of).first) {
     const std::string name = name_of(point.bits) + ".json";
@@ -292,7 +308,8 @@ std::pair<sweep, std::vector<sweep_row>> merge_shards(const std::vector<std::str
 nlohmann::ordered_json json_rows(const sweep& of, const std::vector<sweep_row>& rows,
                                  const std::vector<domain>& domains) {
   std::string options;
-  for (const auto& [name, value] : of.options) options += fmt::format(" --{}{}", name, value == "on" ? "" : " " + value);
+  for (const auto& [name, value] : of.options)
+    options += fmt::format(" --{}{}", name, value == "on" ? "" : " " + value);
   json result = json::array();
   for (const sweep_row& row : rows) {
     std::string command = fmt::format("build/bin/blysk explore --device {}{}", of.device, options);

@@ -75,10 +75,12 @@ std::vector<sweep_row> run_sweep(const sweep& of, const sweep_settings& settings
 /// Copies the rows of shards into one folder, all of them or none.
 /// \return the rows of the whole sweep
 /// \throws usage_error if the folders are not shards of one sweep, or rows are missing
-std::pair<sweep, std::vector<sweep_row>> merge_shards(const std::vector<std::string>& folders, const std::string& to);
+std::pair<sweep, std::vector<sweep_row>> merge_shards(const std::vector<std::string>& folders,
+                                                      const std::string& to);
 
 /// The rows as `blysk explore --json` prints them.
-nlohmann::ordered_json json_rows(const sweep& of, const std::vector<sweep_row>& rows, const std::vector<domain>& domains);
+nlohmann::ordered_json json_rows(const sweep& of, const std::vector<sweep_row>& rows,
+                                 const std::vector<domain>& domains);
 
 /// "cos_8_coefficient_8_square_16"
 std::string name_of(const word_lengths& bits);

@@ -56,12 +56,11 @@ void prepare(const selection& asked, const fs::path& folder) {
   write_file(folder / "wrapper" / "bench.v", cost::serial_wrapper(asked, kWrapper));
   write_file(folder / "top", asked.top_name() + "\n");
   write_file(folder / "digest", cost::verilog_digest(exported) + "\n");
-  write_file(folder / "path.tcl",
-             fmt::format("link_design {}\n"
-                         "create_clock -name clk -period {} [get_ports {}]\n"
-                         "set_output_delay 0 -clock clk [all_outputs]\n"
-                         "report_checks -path_delay max -digits 4\n",
-                         asked.top_name(), kPeriodNs, clock));
+  write_file(folder / "path.tcl", fmt::format("link_design {}\n"
+                                              "create_clock -name clk -period {} [get_ports {}]\n"
+                                              "set_output_delay 0 -clock clk [all_outputs]\n"
+                                              "report_checks -path_delay max -digits 4\n",
+                                              asked.top_name(), kPeriodNs, clock));
 }
 
 /// What a part of the folder says of its tools.
@@ -103,8 +102,8 @@ void collect(const selection& asked, const fs::path& folder, const std::string& 
   }
   if (is_there("osu018")) {
     const fs::path part = folder / "osu018";
-    cost::standard_cells cells =
-        cost::read_standard_cells((part / "stat.txt").string(), text(part / "stat.txt"), text(part / "cells.lib"));
+    cost::standard_cells cells = cost::read_standard_cells((part / "stat.txt").string(),
+                                                           text(part / "stat.txt"), text(part / "cells.lib"));
     cells.from = origin_of(folder, part);
     cells.path_ns = cost::read_path_ns((part / "path.txt").string(), text(part / "path.txt"), kPeriodNs);
     row.osu018 = cells;

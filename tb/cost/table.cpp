@@ -123,7 +123,8 @@ std::vector<std::string> cells_of(const configuration& of, const metric& by, dom
   cells.push_back(of.errors ? number_text(by.of(errors_in(of, where))) : kNothing);
   cells.push_back(cost.ice40 ? fmt::format("{}", cost.ice40->lut) : kNothing);
   cells.push_back(cost.ice40 ? fmt::format("{}", cost.ice40->ram_bits / 4096) : kNothing);
-  cells.push_back(cost.ice40_dsp ? fmt::format("{} + {}", cost.ice40_dsp->lut, cost.ice40_dsp->dsp) : kNothing);
+  cells.push_back(cost.ice40_dsp ? fmt::format("{} + {}", cost.ice40_dsp->lut, cost.ice40_dsp->dsp)
+                                 : kNothing);
   cells.push_back(cost.hx8k ? fmt::format("{:.1f} [{:.1f}..{:.1f}]", cost.hx8k->median(), cost.hx8k->least(),
                                           cost.hx8k->most())
                             : kNothing);
@@ -141,9 +142,14 @@ std::vector<std::string> cells_of(const configuration& of, const metric& by, dom
 }
 
 std::vector<std::string> heads(const metric& by, domain where) {
-  return {"device",      fmt::format("{}, {}", by.key, named(where).name), "LUT", "RAM", "LUT + DSP", "iCE40 MHz", "M/s",
-          "NAND2",       "ns",                                             "M/s", "latency", "golden", "bit",
-          "systemc",     "verilator",                                      ""};
+  return {"device",    fmt::format("{}, {}", by.key, named(where).name),
+          "LUT",       "RAM",
+          "LUT + DSP", "iCE40 MHz",
+          "M/s",       "NAND2",
+          "ns",        "M/s",
+          "latency",   "golden",
+          "bit",       "systemc",
+          "verilator", ""};
 }
 
 }  // namespace
@@ -176,6 +182,7 @@ void put_errors(nlohmann::ordered_json& row, const error_table* table, domain wh
   row["points"] = e.points;
   for (const metric& each : metrics()) row[std::string(each.key)] = each.of(e);
   row["bias"] = e.bias;  // with its sign
+  row["max_step"] = e.max_step;
   row["max_abs_n"] = e.max_abs_n;
   row["max_abs_cos"] = e.max_abs_cos;
   row["ulps"] = e.ulps;
@@ -294,7 +301,8 @@ std::vector<candidate> candidates(const std::vector<configuration>& all, const m
   return found;
 }
 
-const configuration* least(const std::vector<candidate>& among, const std::function<bool(const candidate&)>& fits,
+const configuration* least(const std::vector<candidate>& among,
+                           const std::function<bool(const candidate&)>& fits,
                            const std::function<std::pair<double, double>(const candidate&)>& order) {
   const candidate* best = nullptr;
   for (const candidate& each : among) {
@@ -305,25 +313,29 @@ const configuration* least(const std::vector<candidate>& among, const std::funct
 
 }  // namespace
 
-choice choose_cheapest(const std::vector<configuration>& all, double tolerance, const metric& by, domain where,
-                       const technology& in, double mhz) {
+choice choose_cheapest(const std::vector<configuration>& all, double tolerance, const metric& by,
+                       domain where, const technology& in, double mhz) {
   const std::vector<candidate> among = candidates(all, by, where, in, mhz);
   const auto by_cost = [](const candidate& c) { return std::pair(c.cost, c.error); };
   const auto by_error = [](const candidate& c) { return std::pair(c.error, c.cost); };
   choice found;
-  found.cheapest = least(among, [&](const candidate& c) { return c.error <= tolerance; }, by_cost);
+  found.cheapest = least(
+      among, [&](const candidate& c) { return c.error <= tolerance; }, by_cost);
   if (found.cheapest == nullptr) {  // the nearest to the tolerance
-    found.cheaper = least(among, [](const candidate&) { return true; }, by_error);
+    found.cheaper = least(
+        among, [](const candidate&) { return true; }, by_error);
     return found;
   }
   const candidate& chosen = *std::ranges::find(among, found.cheapest, &candidate::of);
-  found.cheaper = least(among, [&](const candidate& c) { return c.cost < chosen.cost; }, by_error);
-  found.better = least(among, [&](const candidate& c) { return c.error < chosen.error; }, by_cost);
+  found.cheaper = least(
+      among, [&](const candidate& c) { return c.cost < chosen.cost; }, by_error);
+  found.better = least(
+      among, [&](const candidate& c) { return c.error < chosen.error; }, by_cost);
   return found;
 }
 
-std::vector<const configuration*> front_of(const std::vector<configuration>& all, const metric& by, domain where,
-                                           const technology& in) {
+std::vector<const configuration*> front_of(const std::vector<configuration>& all, const metric& by,
+                                           domain where, const technology& in) {
   std::vector<candidate> among = candidates(all, by, where, in, 0);
   std::ranges::stable_sort(among, {}, [](const candidate& c) { return std::pair(c.cost, c.error); });
   std::vector<const configuration*> front;
@@ -341,7 +353,8 @@ std::string html_page(const nlohmann::ordered_json& rows) {
   std::string page(embedded_pages().front().text);
   std::string text = rows.dump();
   // Nothing in a string may end the script that it stands in.
-  for (std::size_t at = text.find("</"); at != std::string::npos; at = text.find("</", at)) text.replace(at, 2, "<\\/");
+  for (std::size_t at = text.find("</"); at != std::string::npos; at = text.find("</", at))
+    text.replace(at, 2, "<\\/");
   return page.replace(page.find(kPlace), kPlace.size(), text);
 }
 

@@ -54,17 +54,18 @@ std::string plain_table(const std::vector<configuration>& all, const metric& by,
 /// What is cheapest within a tolerance.
 struct choice {
   const configuration* cheapest = nullptr;
-  const configuration* cheaper = nullptr;  ///< costs less: of those the one with the least error, beyond the tolerance
-  const configuration* better = nullptr;   ///< has less error: of those the one that costs least
+  const configuration* cheaper =
+      nullptr;  ///< costs less: of those the one with the least error, beyond the tolerance
+  const configuration* better = nullptr;  ///< has less error: of those the one that costs least
 };
 
 /// \param mhz  a clock that all of them have to reach, 0 for any
-choice choose_cheapest(const std::vector<configuration>& all, double tolerance, const metric& by, domain where,
-                       const technology& in, double mhz);
+choice choose_cheapest(const std::vector<configuration>& all, double tolerance, const metric& by,
+                       domain where, const technology& in, double mhz);
 
 /// Those that no other is at least as cheap and as good as, by cost.
-std::vector<const configuration*> front_of(const std::vector<configuration>& all, const metric& by, domain where,
-                                           const technology& in);
+std::vector<const configuration*> front_of(const std::vector<configuration>& all, const metric& by,
+                                           domain where, const technology& in);
 
 /// One page that needs nothing else: the rows as a picture that shows a row where it is pointed at, and copies its command
 /// where it is clicked.

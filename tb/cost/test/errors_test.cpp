@@ -31,7 +31,8 @@ class table_of_results {
  public:
   explicit table_of_results(const judged& of) : model_(of.make()), in_(of.stimulus) {
     in_.resize(1);
-    for (std::size_t i = specular::kRed; i <= specular::kBlue; ++i) in_[i].set(0, 77);  // colours do not matter
+    for (std::size_t i = specular::kRed; i <= specular::kBlue; ++i)
+      in_[i].set(0, 77);  // colours do not matter
   }
   real operator()(int n, std::int64_t code) {
     const auto [found, is_new] = kept_.try_emplace({n, code});
@@ -153,7 +154,9 @@ void check_equal(const errors& a, const errors& b) {
   CHECK(a.falls == b.falls);
   CHECK(a.max_step == b.max_step);
   // Each sum of 2^18 numbers rounds at most as many times.
-  const auto near = [](double x, double y) { CHECK(std::fabs(x - y) <= 1e-10 * std::max(1e-3, std::fabs(y))); };
+  const auto near = [](double x, double y) {
+    CHECK(std::fabs(x - y) <= 1e-10 * std::max(1e-3, std::fabs(y)));
+  };
   near(a.max_abs_err, b.max_abs_err);
   near(a.mean_abs_err, b.mean_abs_err);
   near(a.bias, b.bias);
@@ -168,7 +171,8 @@ void check_equal(const errors& a, const errors& b) {
 std::vector<selection> shaders(const std::string& format) {
   std::vector<selection> all;
   for (const device* each : devices()) {
-    if (dynamic_cast<const specular::device_of_points*>(each) != nullptr) all.push_back(choose(each->name(), format));
+    if (dynamic_cast<const specular::device_of_points*>(each) != nullptr)
+      all.push_back(choose(each->name(), format));
   }
   return all;
 }
@@ -181,7 +185,9 @@ const errors& in(const error_table& table, domain which) {
 class planted_engine final : public engine {
  public:
   planted_engine(int bits, std::map<std::pair<int, std::int64_t>, int> planted)
-      : engine({storage::i64, storage::i64, storage::i64, storage::i64}), bits_(bits), planted_(std::move(planted)) {}
+      : engine({storage::i64, storage::i64, storage::i64, storage::i64}),
+        bits_(bits),
+        planted_(std::move(planted)) {}
 
  private:
   void compute(const columns& in, columns& out) override {
@@ -226,8 +232,9 @@ TEST_CASE("errors of q8 and q10 by a loop over points", "[cost]") {
           check_equal(in(table, each.which), sum_up(each.which, grid, of.cos_bits, results));
         }
         if (format == "q10") continue;
-        check_equal(in(table, domain::sphere),
-                    sum_up(domain::sphere, sphere_points(of.cos_bits, first_n, last_n), of.cos_bits, results));
+        check_equal(
+            in(table, domain::sphere),
+            sum_up(domain::sphere, sphere_points(of.cos_bits, first_n, last_n), of.cos_bits, results));
       }
     }
   }
@@ -247,8 +254,10 @@ TEST_CASE("errors of a device that rounds cos^n correctly, and of planted faults
 
   // Somewhere in the middle, at the seam of two blocks, and at both ends. A fault of one code rises and falls again.
   const std::int64_t codes = std::int64_t{1} << bits;
-  const std::map<std::pair<int, std::int64_t>, int> faults{
-      {{7, codes / 2}, 1}, {{40, std::min<std::int64_t>(4096, codes - 2)}, 2}, {{1, 0}, 3}, {{3, codes}, -200}};
+  const std::map<std::pair<int, std::int64_t>, int> faults{{{7, codes / 2}, 1},
+                                                           {{40, std::min<std::int64_t>(4096, codes - 2)}, 2},
+                                                           {{1, 0}, 3},
+                                                           {{3, codes}, -200}};
   const error_table table = measure_errors(planted(bits, 1, 40, faults), 2);
   const errors& e = in(table, domain::whole);
   CHECK(e.ulps == std::array<std::uint64_t, 4>{e.points - 4, 1, 1, 2});
