@@ -12,4 +12,7 @@ void add_export(CLI::App& program);
 void add_list(CLI::App& program);
 void add_render(CLI::App& program);
 
+/// \param status  becomes the program's exit status
+void add_explore(CLI::App& program, int& status);
+
 }  // namespace blysk::cli
