@@ -50,10 +50,7 @@ look look_of(const block& part) {
 class drawing {
  public:
   explicit drawing(const netlist::elaborated& device) : device_(device) {
-    for (const sc_core::sc_object* child : device.device().get_child_objects()) {
-      if (const auto* net = dynamic_cast<const sc_core::sc_interface*>(child))
-        names_[net] = child->basename();
-    }
+    name_nets(device.device());
     for (const auto& each : device.ports()) add_port(each->what);
     for (const sc_core::sc_module* module :
          netlist::in_order_of_data(device, netlist::registers_are::sources))
@@ -84,6 +81,16 @@ class drawing {
     bool is_control;
   };
 
+  /// Nets of a module and of those in it that are no blocks.
+  void name_nets(const sc_core::sc_module& module) {
+    for (const sc_core::sc_object* child : module.get_child_objects()) {
+      if (const auto* net = dynamic_cast<const sc_core::sc_interface*>(child))
+        names_[net] = child->basename();
+      const auto* inner = dynamic_cast<const sc_core::sc_module*>(child);
+      if (inner != nullptr && device_.parts().find(*inner) == nullptr) name_nets(*inner);
+    }
+  }
+
   channel channel_of(const std::string& port) const {
     for (const sc_core::sc_object* child : device_.device().get_child_objects()) {
       if (port != child->basename()) continue;
@@ -109,10 +116,11 @@ class drawing {
 
   void add_block(const sc_core::sc_module& module) {
     const block& part = *device_.parts().find(module);
-    const std::string name = module.basename();
+    const std::string name = device_.path_of(module);
     const std::string node = "\"" + name + "\"";
-    const std::size_t digits = name.find_first_of("0123456789");
-    const std::string number = digits == std::string::npos ? "" : name.substr(digits);
+    const std::string base = module.basename();
+    const std::size_t digits = base.find_first_of("0123456789");
+    const std::string number = digits == std::string::npos ? "" : base.substr(digits);
     const look looks = look_of(part);
     nodes_ +=
         fmt::format("  {} [shape={}, fillcolor=\"{}\", label=<{}{}<br/><font point-size=\"9\">{}</font>>];\n",

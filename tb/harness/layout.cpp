@@ -123,8 +123,9 @@ std::string layout_text(const selection& asked, const std::string& root) {
        netlist::in_order_of_data(*device, netlist::registers_are::sources)) {
     const netlist::block& part = *device->parts().find(*module);
     for (const auto& [name, trace] : part.traces()) {
-      out.add(fmt::format("{}.{}", module->basename(), name), part.described(name).carries,
-              part.traces().size() == 1 ? module->basename() : "");
+      const std::string path = device->path_of(*module);
+      out.add(fmt::format("{}.{}", path, name), part.described(name).carries,
+              part.traces().size() == 1 ? path : "");
     }
   }
   out.end("blocks");

@@ -13,14 +13,14 @@
 namespace blysk::harness {
 namespace {
 
-/// Ports at the top level under their names of the figure, each block's outputs under the block's name.
+/// Ports at the top level under their names of the figure, each block's outputs under the block's path.
 void record(const netlist::elaborated& device, sc_core::sc_trace_file* file) {
   for (const auto& each : device.ports()) {
     if (!each->what.is_inner) each->trace(file, each->what.wave);
   }
   for (const sc_core::sc_module* module : device.parts().modules()) {
     for (const auto& [port, trace] : device.parts().find(*module)->traces())
-      trace(file, std::string(module->basename()) + "." + port);
+      trace(file, device.path_of(*module) + "." + port);
   }
 }
 

@@ -11,6 +11,13 @@ const block* parts_list::find(const sc_core::sc_object& module) const {
   return found == blocks_.end() ? nullptr : &found->second;
 }
 
+std::string elaborated::path_of(const sc_core::sc_module& part) const {
+  const std::string whole = part.name();
+  const std::string above = std::string(device_->name()) + ".";
+  if (!whole.starts_with(above)) throw std::logic_error(whole + " is no part of the device");
+  return whole.substr(above.size());
+}
+
 bound_port& elaborated::find(const std::string& name) const {
   const auto found = std::ranges::find(ports_, name, [](const auto& each) { return each->what.name; });
   if (found == ports_.end()) throw std::logic_error("the device has no port " + name);

@@ -79,6 +79,9 @@ class elaborated {
   const sc_core::sc_module& device() const { return *device_; }
   const parts_list& parts() const { return *parts_; }
 
+  /// A block's name within the device, "mul10" or "red.rg_sum".
+  std::string path_of(const sc_core::sc_module& part) const;
+
   /// In the order of the device's pins().
   const std::vector<std::unique_ptr<bound_port>>& ports() const { return ports_; }
 
