@@ -110,6 +110,16 @@ void measure_absolute_errors(measurements& into) {
   into["T14"] = curve_area;
   into["T15"] = stationary_point;
   into["T16"] = foot_of_the_lobe;
+  into["T52"] = [] {
+    const auto bright = [](double degrees) {
+      return evaluate(lobe::blinn, 10.0, std::cos(degrees * boost::math::constants::degree<double>()));
+    };
+    return figures{{"a0", bright(0)},
+                   {"a15", bright(15)},
+                   {"a30", bright(30)},
+                   {"a45", bright(45)},
+                   {"ratio", bright(30) / bright(15)}};
+  };
   into["T18"] = [] { return times_less(4); };
   into["T19"] = [] { return times_less(3); };
   into["T20"] = [] {

@@ -68,6 +68,12 @@ figures published_energy() {
 }  // namespace
 
 void measure_energy(measurements& into) {
+  into["T53"] = [] {
+    const auto most = worst_over(1, kMaxExponent, [](int n) {
+      return -lobe_reflectance(lobe::cosine_quadratic_energy, n, lobe_axis::half_vector, 0);
+    });
+    return figures{{"least", -most.value}, {"least_n", static_cast<double>(most.n)}};
+  };
   into["T28"] = [] {
     const auto end = [](double n) { return std::sqrt(n) * 2 * std::acos((n - 2) / (n + 1)); };
     return figures{{"n14", end(14)}, {"n1000", end(1000)}, {"limit", 2 * std::sqrt(6)}};

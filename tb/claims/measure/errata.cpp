@@ -147,6 +147,7 @@ void measure_errata(measurements& into) {
                    {"half", quadratic(coefficient_line::published, 0.0, 0.5)}};
   };
   into["E17"] = opposite_light;
+  into["E18"] = [] { return figures{{"coef", angle_coefficient_exact(2.0, 1.0, kQ)}}; };
 }
 
 }  // namespace blysk::claims

@@ -200,6 +200,7 @@ TEST_CASE("the article's coefficient by sums of cosines", "[claims]") {
   rows["A3"]["largest"] = *std::max_element(deviations[5].begin(), deviations[5].end());
 
   for (const int n : kTraining) rows["A-F4-0.5"][fmt::format("n{}", n)] = exact_coefficient(n, 1, 0.5);
+  rows["E18"]["coef"] = exact_coefficient(2, 1, 0.5);
   for (const int n : {1, 2, 5, 10, 20, 50, 100, 200, 500, 1000})
     rows["A-F4-0.1"][fmt::format("n{}", n)] = exact_coefficient(n, 1, 0.1);
   for (const auto& [id, first, last] : {std::tuple{"A-F7", 1, 4}, {"A-F8", 5, 9}})

@@ -94,6 +94,15 @@ TEST_CASE("points of the curves have closed forms", "[claims]") {
   // The half angle's formula against the printed term, at cos(theta) = 1.
   rows["T32"] = {{"printed", 1.0 / 2}, {"meant", std::sqrt((1 + 1.0) / 2)}};
 
+  // cos^2 of 15, 30 and 45 degrees, to the fifth.
+  const real at_15 = pow(real((2 + sqrt(real(3))) / 4), 5);
+  const real at_30 = pow(real(real(3) / 4), 5);
+  rows["T52"] = {{"a0", 1.0},
+                 {"a15", as_double(at_15)},
+                 {"a30", as_double(at_30)},
+                 {"a45", 1.0 / 32},
+                 {"ratio", as_double(real(at_30 / at_15))}};
+
   const auto lowest = [](double a) { return -(a - 1) * (a - 1) / (4 * a); };
   const double a = derived_a(1000);
   rows["E4"] = {{"published", lowest(published_a(1000))}, {"derived", lowest(a)}, {"cos", (a - 1) / (2 * a)}};

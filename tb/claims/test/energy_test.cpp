@@ -112,6 +112,8 @@ TEST_CASE("reflectance by polynomials and direct sums", "[claims]") {
 
   const auto published = [](int n) { return (n + 6) / 24.55; };
   const auto energy = [&](int n) { return published(n) * first_lobe(n); };
+  const peak least = over_n(1, 1000, [&](int n) { return -energy(n); });
+  rows["T53"] = {{"least", -least.value}, {"least_n", static_cast<double>(least.n)}};
   add_peak(rows["T30"], "first", over_n(1, 1000, energy));
   add_peak(rows["T30"], "printed",
            over_n(1, 1000, [&](int n) { return published(n) * to_printed_limit(n); }));
