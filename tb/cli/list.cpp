@@ -45,7 +45,7 @@ json blocks_of(const selection& asked) {
   const auto elaborated = asked.of().elaborate(asked, 0);
   for (const sc_core::sc_module* module : elaborated->parts().modules()) {
     const std::string& words = elaborated->parts().find(*module)->words();
-    blocks.push_back({{"instance", device->path_of(*module)}, {"is", words.substr(0, words.find(':'))}});
+    blocks.push_back({{"instance", elaborated->path_of(*module)}, {"is", words.substr(0, words.find(':'))}});
   }
   return blocks;
 }
