@@ -250,13 +250,12 @@ END
     one_line compile_commands.json
     ;;
   timescale)
-    folders=("$source"/rtl_verilog/*_q8)
-    top=blysk_${folders[0]##*/}
-    printf '`timescale 1ns/1ps\nmodule tb;\n  %s dut ();\nendmodule\n' "$top" >tb.v
     # As docs/verilog.md has it.
     command=$(sed -n 's/^ *`\(verilator .*--timescale .*\) tb.v`;.*/\1/p' "$source/docs/verilog.md")
-    [ -n "$command" ] || fail 'docs/verilog.md has no such command'
-    cp -R "${folders[0]}" rtl
+    top=$(sed -n 's/.*-f \(blysk_[a-z0-9_]*\)\.f.*/\1/p' <<<"$command")
+    [ -n "$top" ] || fail 'docs/verilog.md has no such command'
+    printf '`timescale 1ns/1ps\nmodule tb;\n  %s dut ();\nendmodule\n' "$top" >tb.v
+    cp -R "$source/rtl_verilog/${top#blysk_}" rtl
     cp tb.v rtl
     cd rtl
     $command -Wno-PINMISSING tb.v

@@ -556,8 +556,8 @@ TEST_CASE("what cannot be brought to its end is refused, and nothing is left of 
   fails("simulate" + in + to("w.vcd") + waves, "w.vcd: is given by --results and --vcd");
   fails("model blinn --points " + quoted(stimulus) + to("in.csv"),
         "in.csv: is given by --points and --results");
-  fails("shine", "'shine' is no verb, expected simulate, render, model, export or list");
-  fails("explore --help", "'explore' is no verb");
+  fails("shine", "'shine' is no verb, expected simulate, render, model, export, list or explore");
+  fails("settle --help", "'settle' is no verb");
   CHECK(slurp(stimulus) == slurp(BLYSK_ROOT "/docs/examples/fig3.csv"));
 }
 

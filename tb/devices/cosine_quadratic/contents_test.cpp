@@ -54,14 +54,14 @@ TEST_CASE("the words are their formulas, rounded, for every exponent and width",
 }
 
 TEST_CASE("the words that hand arithmetic gives", "[contents]") {
-  CHECK(slope_word(0, 8) == 85);                   // 256/3 = 85.33, after a reset
-  CHECK(slope_word(1, 8) == 171);                  // 170.67
-  CHECK(slope_word(2, 8) == 256);                  // 1
-  CHECK(slope_word(1000, 8) == 85419);             // 256256/3 = 85418.67
-  CHECK(limit_word(2, 16) == 0);                   // the root lies at c = 0
-  CHECK(limit_word(3, 8) == 4);                    // (1/4)^3 = 1/64
-  CHECK(limit_word(1000, 16) == 3248);             // 0.998001^... = 0.04956, e^-3 = 0.04979 in the limit
-  CHECK(published_factor_word(1, 8) == 73);        // 7/24.55 * 256 = 72.99
+  CHECK(slope_word(0, 8) == 85);             // 256/3 = 85.33, after a reset
+  CHECK(slope_word(1, 8) == 171);            // 170.67
+  CHECK(slope_word(2, 8) == 256);            // 1
+  CHECK(slope_word(1000, 8) == 85419);       // 256256/3 = 85418.67
+  CHECK(limit_word(2, 16) == 0);             // the root lies at c = 0
+  CHECK(limit_word(3, 8) == 4);              // (1/4)^3 = 1/64
+  CHECK(limit_word(1000, 16) == 3258);       // (1 - 3/1001)^1000 = e^-3.0015 = 0.049712, times 65536 = 3257.9
+  CHECK(published_factor_word(1, 8) == 73);  // 7/24.55 * 256 = 72.99
   CHECK(published_factor_word(1000, 8) == 10490);  // 1006/24.55 * 256 = 10490.26
   CHECK(safe_factor_word(1, 8) == 20);             // 2/(8 pi) * 256 = 20.37
   CHECK(safe_factor_word(1000, 8) == 10196);       // 1001/(8 pi) * 256 = 10196.1
