@@ -19,10 +19,23 @@ shader::shader(const std::vector<scene::light>& lights, const vec& eye, const pl
       to_(to),
       inputs_(ports.make_writes()) {}
 
+bool shader::is_lit(std::uint32_t material) const {
+  for (std::size_t k = 0; k < lights_.size(); ++k) {
+    const light_plan& light = plan_.at(material, k);
+    if (light.has_diffuse || light.has_specular) return true;
+  }
+  return false;
+}
+
+void shader::add_unlit(std::uint32_t index, std::uint32_t material) {
+  const sum_rgb& ambient = plan_.ambient[material];
+  for (std::size_t channel = 0; channel < 3; ++channel)
+    to_.sums[index][channel] = ambient_term(ambient[channel]);
+}
+
 void shader::add(std::uint32_t index, const point& at) {
+  add_unlit(index, at.material);
   sum_rgb& sum = to_.sums[index];
-  const sum_rgb& ambient = plan_.ambient[at.material];
-  for (std::size_t channel = 0; channel < 3; ++channel) sum[channel] = ambient_term(ambient[channel]);
   const vec view = golden::normalised(eye_ - at.position);
   const int fraction = ports_.cos_fraction();
   const bool all = plan_.asked == effects::all;
