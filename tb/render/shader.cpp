@@ -55,7 +55,6 @@ void shader::add(std::uint32_t index, const point& at) {
     const bool is_lit = nh > 0;
     const std::int64_t cosine = cosine_code(nh, fraction);
     const bool adds = is_lit && cosine >= light.lobe_begin;
-    if (adds && light.specular != std::array<std::uint8_t, 3>{}) to_.in_highlight[index] = 1;
     if (!adds && !all) continue;
     waiting_.push_back({index, static_cast<std::uint32_t>(at.material * lights_.size() + k),
                         static_cast<std::uint32_t>(cosine), is_lit});
@@ -85,6 +84,7 @@ void shader::run(std::span<const write> batch) {
   writes_ += batch.size();
   for (std::size_t i = 0; i < batch.size(); ++i) {
     if (!batch[i].is_lit) continue;
+    if (!ports_.is_dark(outputs_, i)) to_.in_highlight[batch[i].point] = 1;
     sum_rgb& sum = to_.sums[batch[i].point];
     const bool is_grey = plan_.of_lights[batch[i].slot].is_grey;
     for (std::size_t channel = 0; channel < 3; ++channel)
