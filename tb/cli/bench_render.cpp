@@ -83,8 +83,9 @@ void bench() {
   row("ambient alone: time of the frame / all effects", frame(dark) / frame(full));
   row("diffuse alone: SystemC modules elaborated",
       static_cast<double>(rendered(diffuse, 1)["blocks"].size()));
-  row("coloured / grey, time in SystemC",
-      phase(rendered("sphere" + systemc), "device") / phase(rendered(grey), "device"));
+  const std::string large = " --size 1024x1024 --exponent 10";
+  row("coloured / grey, 1024 x 1024, n = 10, time in SystemC",
+      phase(rendered("sphere" + systemc + large), "device") / phase(rendered(grey + large), "device"));
   const json bit = rendered("sphere --threads 1", 9);
   row("engine bit: visibility, shading and device / visibility and reference with std::pow",
       frame(bit) / (phase(bit, "visibility") + phase(bit, "reference")));

@@ -81,6 +81,11 @@ class phong_source final : public source_base {
     return true;
   }
 
+  std::uint32_t material_at(std::size_t index) const override {
+    const std::uint32_t triangle = seen_.triangle[index];
+    return triangle == kNoTriangle ? kNoMaterial : surface_.triangles[triangle].material;
+  }
+
   mixture of_pixel(std::size_t pixel, cursor&) const override {
     mixture made;
     made.count = 1;
@@ -110,6 +115,10 @@ class flat_source final : public source_base {
         scene::cross(surface_.positions[corners[1]] - origin, surface_.positions[corners[2]] - origin);
     to.normal = golden::normalised(is_front ? area : -1.0 * area);
     return true;
+  }
+
+  std::uint32_t material_at(std::size_t index) const override {
+    return surface_.triangles[visible_[index]].material;
   }
 
   mixture of_pixel(std::size_t pixel, cursor&) const override {
@@ -153,6 +162,10 @@ class corner_source : public source_base {
     }
     to = interpolated(triangle, shares, is_front);
     return true;
+  }
+
+  std::uint32_t material_at(std::size_t index) const override {
+    return surface_.triangles[first_use_[index].triangle].material;
   }
 
  protected:

@@ -39,6 +39,10 @@ class point_source {
   /// \return  false if there is nothing at the index
   virtual bool at(std::size_t index, cursor& near, point& to) const = 0;
 
+  /// The material there; kNoMaterial if there is nothing.
+  virtual std::uint32_t material_at(std::size_t index) const = 0;
+  static constexpr std::uint32_t kNoMaterial = ~std::uint32_t{0};
+
   /// \param pixel  that sees a triangle
   virtual mixture of_pixel(std::size_t pixel, cursor& near) const = 0;
 };

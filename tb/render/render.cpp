@@ -86,8 +86,15 @@ class frame {
   }
 
   void add(shader& to, std::size_t index, point_source::cursor& near) const {
+    const std::uint32_t material = points_->material_at(index);
+    if (material == point_source::kNoMaterial) return;
+    const auto number = static_cast<std::uint32_t>(index);
     point at;
-    if (points_->at(index, near, at)) to.add(static_cast<std::uint32_t>(index), at);
+    if (!to.is_lit(material)) {
+      to.add_unlit(number, material);
+    } else if (points_->at(index, near, at)) {
+      to.add(number, at);
+    }
   }
 
   void shade() {

@@ -19,10 +19,23 @@ shader::shader(const std::vector<scene::light>& lights, const vec& eye, const pl
       to_(to),
       inputs_(ports.make_writes()) {}
 
+bool shader::is_lit(std::uint32_t material) const {
+  for (std::size_t k = 0; k < lights_.size(); ++k) {
+    const light_plan& light = plan_.at(material, k);
+    if (light.has_diffuse || light.has_specular) return true;
+  }
+  return false;
+}
+
+void shader::add_unlit(std::uint32_t index, std::uint32_t material) {
+  const sum_rgb& ambient = plan_.ambient[material];
+  for (std::size_t channel = 0; channel < 3; ++channel)
+    to_.sums[index][channel] = ambient_term(ambient[channel]);
+}
+
 void shader::add(std::uint32_t index, const point& at) {
+  add_unlit(index, at.material);
   sum_rgb& sum = to_.sums[index];
-  const sum_rgb& ambient = plan_.ambient[at.material];
-  for (std::size_t channel = 0; channel < 3; ++channel) sum[channel] = ambient_term(ambient[channel]);
   const vec view = golden::normalised(eye_ - at.position);
   const int fraction = ports_.cos_fraction();
   const bool all = plan_.asked == effects::all;
@@ -42,7 +55,6 @@ void shader::add(std::uint32_t index, const point& at) {
     const bool is_lit = nh > 0;
     const std::int64_t cosine = cosine_code(nh, fraction);
     const bool adds = is_lit && cosine >= light.lobe_begin;
-    if (adds && light.specular != std::array<std::uint8_t, 3>{}) to_.in_highlight[index] = 1;
     if (!adds && !all) continue;
     waiting_.push_back({index, static_cast<std::uint32_t>(at.material * lights_.size() + k),
                         static_cast<std::uint32_t>(cosine), is_lit});
@@ -72,6 +84,7 @@ void shader::run(std::span<const write> batch) {
   writes_ += batch.size();
   for (std::size_t i = 0; i < batch.size(); ++i) {
     if (!batch[i].is_lit) continue;
+    if (!ports_.is_dark(outputs_, i)) to_.in_highlight[batch[i].point] = 1;
     sum_rgb& sum = to_.sums[batch[i].point];
     const bool is_grey = plan_.of_lights[batch[i].slot].is_grey;
     for (std::size_t channel = 0; channel < 3; ++channel)

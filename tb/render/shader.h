@@ -26,7 +26,11 @@ class shader {
   shader(const std::vector<scene::light>& lights, const vec& eye, const plan& planned,
          const device_ports& ports, engine* device, results to);
 
+  /// Whether any light does anything on a material; if not, its points are add_unlit().
+  bool is_lit(std::uint32_t material) const;
+
   void add(std::uint32_t index, const point& at);
+  void add_unlit(std::uint32_t index, std::uint32_t material);
 
   /// Runs the writes that wait; after the last point.
   void flush();
