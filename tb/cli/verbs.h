@@ -10,5 +10,9 @@ void add_simulate(CLI::App& program);
 void add_model(CLI::App& program);
 void add_export(CLI::App& program);
 void add_list(CLI::App& program);
+void add_vectors(CLI::App& program);
+
+/// \param status  becomes the exit status of the program; outlives it
+void add_check(CLI::App& program, int& status);
 
 }  // namespace blysk::cli
