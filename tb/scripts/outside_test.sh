@@ -15,7 +15,7 @@ cp -r "$source/docs/examples/outside" "$folder/outside"
 case $case in
   installed)
     quietly env -u DESTDIR cmake --install "$build" --prefix "$folder/place"
-    if grep -rlF -- "$source" "$folder/place/lib" --include='*.cmake'; then fail 'the package names the tree'; fi
+    if grep -rlF --include='*.cmake' -- "$source" "$folder/place/lib"; then fail 'the package names the tree'; fi
     quietly cmake -S "$folder/outside" -B "$folder/made" -G Ninja -DCMAKE_PREFIX_PATH="$folder/place"
     ;;
   subdirectory)

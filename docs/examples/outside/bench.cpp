@@ -28,6 +28,6 @@ int sc_main(int, char**) {
   sc_start(10, SC_NS);  // registers 1, 3, 4, 5
   strobe = false;
   sc_start(10, SC_NS);  // register 2, by the strobe's trailing edge
-  std::printf("%g\n", red.read().to_int() / 256.0);
+  std::printf("%.10g\n", red.read().to_int() / 256.0);
   return 0;
 }
