@@ -3,11 +3,11 @@
 
 #include <cstddef>
 #include <deque>
-#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "tb/line_reader.h"
 #include "tb/usage_error.h"
 
 namespace blysk {
@@ -25,9 +25,6 @@ class csv_reader {
   /// \param header  names of the wanted columns, separated by commas
   /// \throws usage_error if the file cannot be read or has no such header; lines end within 1 MiB
   csv_reader(const std::string& path, std::string_view header);
-  ~csv_reader();
-  csv_reader(const csv_reader&) = delete;
-  csv_reader& operator=(const csv_reader&) = delete;
 
   /// Reads the next row; false at the end of the file.
   bool next();
@@ -39,7 +36,7 @@ class csv_reader {
   bool is_plain() const { return is_plain_; }
 
   /// The row's text without the line's end, valid until the next row is read.
-  std::string_view text() const { return text_; }
+  std::string_view text() const { return lines_.text(); }
 
   /// The fields of the wanted columns, in their order, valid until the next row is read.
   /// \throws usage_error if the row has more or fewer fields than the header
@@ -52,36 +49,24 @@ class csv_reader {
   usage_error error(std::string_view what) const;
 
   /// Bytes read so far, and those of the whole file; 0 if it is no regular file.
-  std::size_t bytes_read() const { return bytes_read_; }
-  std::size_t file_size() const;
+  std::size_t bytes_read() const { return lines_.bytes_read(); }
+  std::size_t file_size() const { return lines_.file_size(); }
 
  private:
-  class descriptor;
-
   void read_header(std::string_view header);
   bool find_columns(std::string_view line);
   bool next_row(bool may_wait);
-  bool read_line(bool may_wait);
-  bool fill(bool may_wait);
-  void put_back();
   bool split(std::string_view line, char separator, std::vector<std::string_view>& fields);
 
-  std::string path_;
+  line_reader lines_;
   std::vector<std::string> names_;      // of the wanted columns
   std::vector<std::string> all_names_;  // of the file's
   std::vector<std::size_t> places_;     // of the wanted columns among the file's
   char separator_ = ',';
   bool is_plain_ = false;
-  std::unique_ptr<descriptor> file_;
-  std::vector<char> buffer_;
-  std::size_t line_ = 0, begin_ = 0, end_ = 0;  // the line, what follows it, and the end of what was read
-  bool is_ended_ = false;
-  std::size_t bytes_read_ = 0;
-  std::string_view text_;
   std::deque<std::string> unescaped_;  // fields with quotes in them
   std::vector<std::string_view> all_fields_;
   std::vector<std::string_view> fields_;  // of the wanted columns; empty until they are asked for
-  std::size_t line_number_ = 0;
 };
 
 }  // namespace blysk

@@ -172,8 +172,10 @@ void print(const json& listed) {
                joined(each["stimulus"], ","), joined(each["results"], ","));
     for (const auto& of : each["options"]) {
       const std::string values = joined(of["values"], ", ");
-      fmt::print("  {:<24} --{}{}: {}\n", "", of["name"].get<std::string>(),
+      const std::string golden = joined(of["golden_values"], ", ");
+      fmt::print("  {:<24} --{}{}{}: {}\n", "", of["name"].get<std::string>(),
                  values.empty() || values == "off, on" ? "" : fmt::format(" [{}]", values),
+                 golden.empty() ? "" : fmt::format(", engine golden also [{}]", golden),
                  of["help"].get<std::string>());
     }
   }

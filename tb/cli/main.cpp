@@ -32,12 +32,15 @@ int run(int argc, char** argv) {
   blysk::cli::add_model(program);
   blysk::cli::add_export(program);
   blysk::cli::add_list(program);
+  blysk::cli::add_vectors(program);
   int status = 0;
+  blysk::cli::add_check(program, status);
   blysk::cli::add_explore(program, status);
   // CLI11 would ask for a verb, but not say what was there instead.
   if (argc > 1 && argv[1][0] != '-' && !has_verb(program, argv[1])) {
-    throw blysk::usage_error(
-        fmt::format("'{}' is no verb, expected simulate, render, model, export, list or explore", argv[1]));
+    throw blysk::usage_error(fmt::format(
+        "'{}' is no verb, expected simulate, render, model, export, list, vectors, check or explore",
+        argv[1]));
   }
   try {
     program.parse(argc, argv);

@@ -7,6 +7,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "tb/cli/engines.h"
@@ -41,6 +42,10 @@ void check(const options& asked) {
   if (!asked.vcd.empty() && asked.engine != "systemc") {
     throw usage_error(
         fmt::format("--vcd records signals and engine {} has none, expected engine systemc", asked.engine));
+  }
+  for (const std::string_view other : {".fst", ".lxt", ".lxt2", ".vzt", ".ghw", ".fsdb", ".vpd", ".wlf"}) {
+    if (!asked.vcd.ends_with(other)) continue;
+    throw file_error(asked.vcd, 0, "names another form of waves, expected .vcd; vcd2fst makes FST of one");
   }
 }
 

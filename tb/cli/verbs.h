@@ -11,8 +11,10 @@ void add_model(CLI::App& program);
 void add_export(CLI::App& program);
 void add_list(CLI::App& program);
 void add_render(CLI::App& program);
+void add_vectors(CLI::App& program);
 
-/// \param status  becomes the program's exit status
+/// \param status  becomes the program's exit status; outlives it
+void add_check(CLI::App& program, int& status);
 void add_explore(CLI::App& program, int& status);
 
 }  // namespace blysk::cli

@@ -1,7 +1,45 @@
 # SPDX-License-Identifier: Apache-2.0
 # Verilog of the devices, Verilated while the project is built.
-find_package(verilator REQUIRED HINTS $ENV{VERILATOR_ROOT})
+# blysk_verilated_table(TARGET KIND [FOLDER_NAME CLASS]...): adds the table of Verilated classes, cosim::KIND_table().
+function(blysk_verilated_table target kind)
+  set(functions "")
+  set(entries "")
+  set(words ${ARGN})
+  while(words)
+    list(POP_FRONT words name class)
+    string(APPEND functions "std::unique_ptr<verilator_engine> make_${class}();\n")
+    string(APPEND entries "    {\"${name}\", make_${class}},\n")
+  endwhile()
+  file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/${target}_${kind}_table.cpp @ONLY CONTENT [[
+// Made by CMake; do not edit.
+#include "tb/cosim/verilated_table.h"
+
+#include <vector>
+
+namespace blysk::cosim {
+
+@functions@
+std::span<const verilated_entry> @kind@_table() {
+  static const std::vector<verilated_entry> entries{
+@entries@  };
+  return entries;
+}
+
+}  // namespace blysk::cosim
+]])
+  target_sources(${target} PRIVATE ${CMAKE_CURRENT_BINARY_DIR}/${target}_${kind}_table.cpp)
+endfunction()
+
+find_package(verilator HINTS $ENV{VERILATOR_ROOT})
 find_package(Threads REQUIRED)
+if(NOT verilator_FOUND)
+  if(BUILD_TESTING)
+    message(FATAL_ERROR "No Verilator. Run scripts/setup, which installs it, or set BUILD_TESTING=OFF to build the programs "
+                        "without engine verilator.")
+  endif()
+  message(STATUS "No Verilator: the programs have no engine verilator")
+  return()
+endif()
 
 # Verilator's own sources.
 add_library(blysk_verilator STATIC ${VERILATOR_ROOT}/include/verilated.cpp ${VERILATOR_ROOT}/include/verilated_cov.cpp
@@ -59,34 +97,4 @@ function(blysk_verilate target class device format top source)
   set_source_files_properties(${folder}/glue.cpp PROPERTIES OBJECT_DEPENDS ${folder}/all.cpp
                               COMPILE_OPTIONS "-isystem;${folder}")
   target_sources(${target} PRIVATE ${folder}/glue.cpp)
-endfunction()
-
-# blysk_verilated_table(TARGET KIND [FOLDER_NAME CLASS]...): adds the table of Verilated classes, cosim::KIND_table().
-function(blysk_verilated_table target kind)
-  set(functions "")
-  set(entries "")
-  set(words ${ARGN})
-  while(words)
-    list(POP_FRONT words name class)
-    string(APPEND functions "std::unique_ptr<verilator_engine> make_${class}();\n")
-    string(APPEND entries "    {\"${name}\", make_${class}},\n")
-  endwhile()
-  file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/${target}_${kind}_table.cpp @ONLY CONTENT [[
-// Made by CMake; do not edit.
-#include "tb/cosim/verilated_table.h"
-
-#include <vector>
-
-namespace blysk::cosim {
-
-@functions@
-std::span<const verilated_entry> @kind@_table() {
-  static const std::vector<verilated_entry> entries{
-@entries@  };
-  return entries;
-}
-
-}  // namespace blysk::cosim
-]])
-  target_sources(${target} PRIVATE ${CMAKE_CURRENT_BINARY_DIR}/${target}_${kind}_table.cpp)
 endfunction()

@@ -20,7 +20,7 @@ std::unique_ptr<verilator_engine> make_verilator(const selection& asked) {
   const auto found = std::ranges::find(table, asked.folder_name(), &verilated_entry::folder);
   if (found == table.end()) {
     throw std::invalid_argument(
-        fmt::format("engine verilator has no device {} in format {}, expected one that is built",
+        fmt::format("engine verilator has no device {} in format {}, expected a build with Verilator",
                     asked.of().name(), asked.format()));
   }
   return found->make();

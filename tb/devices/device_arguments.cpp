@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <iterator>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace blysk {
@@ -13,35 +15,51 @@ namespace {
 
 /// An option of the command line: what the devices that have it say of it.
 struct shared_option {
-  option first;
-  std::vector<std::string> owners;
+  struct owner {
+    std::string device;
+    option own;
+  };
+  std::vector<owner> owners;
+
+  const option& first() const { return owners.front().own; }
 };
 
 std::vector<shared_option> all_options() {
   std::vector<shared_option> all;
   for (const device* each : devices()) {
     for (const option& own : each->options()) {
-      const auto known =
-          std::ranges::find(all, own.name, [](const shared_option& of) { return of.first.name; });
-      if (known == all.end()) {
-        all.push_back({own, {each->name()}});
-      } else {
-        known->owners.push_back(each->name());
-      }
+      auto known = std::ranges::find(all, own.name, [](const shared_option& of) { return of.first().name; });
+      if (known == all.end()) known = all.insert(all.end(), shared_option{});
+      known->owners.push_back({each->name(), own});
     }
   }
   return all;
 }
 
+/// "[derived]: derived, published", and what engine golden takes besides.
+std::string values_of(const option& own, purpose is_for) {
+  if (own.is_flag() || own.values.empty()) return {};
+  std::string text = fmt::format(" [{}]: {}", own.preset, fmt::join(own.values, ", "));
+  if (is_for == purpose::formula && !own.formula_values.empty())
+    text += fmt::format("; engine golden also {}", fmt::join(own.formula_values, ", "));
+  return text;
+}
+
+/// Devices that take the same values are named together.
 std::string help_of(const shared_option& of, purpose is_for) {
-  std::string text = of.first.help;
-  if (is_for == purpose::formula && of.first.is_wired) text += "; not for engine golden";
-  if (!of.first.is_flag() && !of.first.values.empty()) {
-    text += fmt::format(" [{}]: {}", of.first.preset, fmt::join(of.first.values, ", "));
-    if (is_for == purpose::formula && !of.first.formula_values.empty())
-      text += fmt::format("; engine golden also {}", fmt::join(of.first.formula_values, ", "));
+  std::string text = of.first().help;
+  if (is_for == purpose::formula && of.first().is_wired) text += "; not for engine golden";
+  std::vector<std::pair<std::string, std::vector<std::string>>> groups;
+  for (const auto& [device, own] : of.owners) {
+    const std::string values = values_of(own, is_for);
+    auto known = std::ranges::find(groups, values, [](const auto& group) { return group.first; });
+    if (known == groups.end()) known = groups.insert(groups.end(), {values, {}});
+    known->second.push_back(device);
   }
-  return fmt::format("{} (of {})", text, fmt::join(of.owners, ", "));
+  for (const auto& [values, names] : groups)
+    text += fmt::format("{}{} (of {})", &values == &groups.front().first ? "" : ";", values,
+                        fmt::join(names, ", "));
+  return text;
 }
 
 }  // namespace
@@ -56,8 +74,8 @@ void add_device_arguments(CLI::App& verb, asked_device& arguments, purpose is_fo
                   fmt::format("fraction bits of the cosine: {}", fmt::join(format_names, ", ")))
       ->capture_default_str();
   for (const shared_option& each : all_options()) {
-    const std::string& name = each.first.name;
-    if (each.first.is_flag()) {
+    const std::string& name = each.first().name;
+    if (each.first().is_flag()) {
       verb.add_flag_callback(
           "--" + name, [&arguments, name] { arguments.options[name] = "on"; }, help_of(each, is_for));
     } else {

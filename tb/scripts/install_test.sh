@@ -10,7 +10,21 @@ place=$folder/"a place"
 env -u DESTDIR cmake --install "$build" --prefix "$place" >"$folder/log" || { cat "$folder/log" && exit 1; }
 "$place/bin/blysk" --version | grep -q '^blysk [0-9]'
 "$place/bin/blysk" render --help | grep -q '^Usage: blysk render'
-diff -r --exclude=CMakeLists.txt "$source/rtl_sysc" "$place/include/rtl_sysc"
+diff -r --exclude=CMakeLists.txt "$source/rtl_sysc" "$place/include/blysk/rtl_sysc"
+for header in "$source"/tb/golden/*.h; do diff "$header" "$place/include/blysk/tb/golden"; done
+man=$(MANPATH=$place/share/man man -P cat -l "$place/share/man/man1/blysk.1" 2>/dev/null || cat "$place/share/man/man1/blysk.1")
+for verb in $("$place/bin/blysk" --help | sed -n '/^Subcommands:/,/^$/s/^  \([a-z-]*\) .*/\1/p'); do
+  grep -qx "${verb^^}\|\.SH \"${verb^^}\"" <<<"$man" || { echo "the manual lacks $verb" >&2 && exit 1; }
+done
+completed() {  # completed WORD...: what bash offers for the last word
+  bash -c '. "$1"; shift; COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1)); _blysk; echo "${COMPREPLY[*]}"' bash \
+    "$place/share/bash-completion/completions/blysk" "$@"
+}
+[ "$(completed blysk sim)" = simulate ]
+[ "$(completed blysk simulate --stim)" = --stimulus ]
+[ "$(completed blysk export --format q1)" = 'q10 q12 q14 q16 q18' ]
+[ "$(completed blysk simulate --engine sys)" = systemc ]
+[ -n "$(completed blysk simulate --device '')" ]
 diff -r "$source/rtl_verilog" "$place/share/blysk/rtl_verilog"
 diff -r "$source/docs" "$place/share/doc/blysk/docs"
 diff "$source/LICENSE" "$place/share/doc/blysk/LICENSE"

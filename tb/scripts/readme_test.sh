@@ -40,6 +40,7 @@ done < <(sed -n 's/^    \([a-z].*\)/\1/p' "$root/README.md" "$root/docs/scenes.m
 verbs=$(build/bin/blysk --help | sed -n '/^Subcommands:/,/^$/s/^  \([a-z-]*\) .*/\1/p')
 [ -n "$verbs" ] || fail 'blysk --help names no verb'
 printf 'n,cos\n10,0.9\n' >points.csv
+printf '001 100 ff ff ff ff00 ff00 ff00\n' >answers.txt
 printf 'n,cos,r,g,b\n10,0.99,200,100,50\n' >in.csv
 for verb in $verbs; do
   examples=$(build/bin/blysk "$verb" --help | sed -n '/^Examples:/,$s/^  *\(blysk .*\)/\1/p')

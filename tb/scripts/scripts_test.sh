@@ -50,7 +50,7 @@ case $case in
     stub ctest <<END
 echo "\$*" >'$folder/arguments'
 END
-    for script in build check-includes figures gtkwave-screenshot lint run setup stability test wave; do
+    for script in build check-includes describe-program figures fuzz gtkwave-screenshot lint run sanitize setup stability test wave; do
       exits 0 "tree/scripts/$script" a b --help
       grep -q '^Usage: scripts/'$script said || fail "$script has no help: $(cat said)"
       [ "$script" = run ] && continue # its options are the program's
@@ -261,6 +261,9 @@ END
     $command -Wno-PINMISSING tb.v
     ! ${command/--timescale 1ns\/1ps/} -Wno-PINMISSING tb.v 2>error || fail 'it is not needed'
     grep -q TIMESCALEMOD error
+    # In a path without a blank, which Verilator's lists do not take.
+    cp -R "${folders[0]}" "$folder/../rtl_elsewhere"
+    (cd / && verilator --lint-only -Wall -F "$(readlink -f "$folder/..")/rtl_elsewhere/$top.f") || fail 'the list cannot be read from another folder'
     ;;
   line_ends)
     git -C "$source" rev-parse 2>/dev/null || exit 77 # no clone

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # without_tests_test.sh SOURCE: with BUILD_TESTING off the project needs no test library, builds its programs and nothing
-# for tests, and has no tests.
+# for tests, and has no tests. Without Verilator the programs lack engine verilator alone.
 set -euo pipefail
 source=$1
 folder=$(mktemp -d)
@@ -17,3 +17,10 @@ programs=$(sed -nE 's/.* -o (bin|tests)\/([^ ]+) .*/\1\/\2/p' "$folder/commands"
 [ "$programs" = 'bin/blysk tests/exported tests/verilated_glue' ] || { echo "builds $programs" >&2 && exit 1; }
 if grep -E 'Catch2|rapidcheck|_test\.cpp' "$folder/commands" >&2; then exit 1; fi
 ctest --test-dir "$folder/build" -N | grep -q '^Total Tests: 0$' || { echo 'there are tests' >&2 && exit 1; }
+
+cmake -S "$source" -B "$folder/bare" -G Ninja -DBUILD_TESTING=OFF -DCMAKE_DISABLE_FIND_PACKAGE_Catch2=ON \
+  -DCMAKE_DISABLE_FIND_PACKAGE_rapidcheck=ON -DCMAKE_DISABLE_FIND_PACKAGE_benchmark=ON \
+  -DCMAKE_DISABLE_FIND_PACKAGE_verilator=ON >"$folder/log" 2>&1 || { cat "$folder/log" >&2 && exit 1; }
+grep -q 'no engine verilator' "$folder/log" || { echo 'Verilator is used all the same' >&2 && exit 1; }
+ninja -C "$folder/bare" -t commands all >"$folder/commands"
+if grep -E 'verilated|Catch2|rapidcheck' "$folder/commands" | grep -v verilated_table >&2; then exit 1; fi

@@ -1,0 +1,78 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# vectors_test.sh ROOT BLYSK DEVICE CASE: `blysk check` judges hardware that is driven by the benches of docs/examples.
+#   icarus     the exported Verilog of q8 is equal, each of ten faults planted in it is found
+#   verilator  the exported Verilog of q12 is equal under Verilator
+#   python     the model in Python is equal, and with another constant is not
+set -euo pipefail
+root=$1 blysk=$2 device=$3 case=$4
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cd "$folder"
+examples=$root/docs/examples
+fail() { echo "$*" >&2 && exit 1; }
+# judged STATUS FORMAT [WHAT]: what check says of answers.txt.
+judged() {
+  local status=0
+  "$blysk" check --device "$device" --format "$2" --answers answers.txt >said 2>&1 || status=$?
+  [ "$status" = "$1" ] || fail "exit $status, expected $1 ${3:-}: $(head -n 3 said)"
+}
+top=blysk_${device//-/_}
+
+case $case in
+  icarus)
+    cp -r "$root/rtl_verilog/${device//-/_}_q8" export
+    "$blysk" vectors --device "$device" --format q8 --output vectors.txt
+    simulated() {
+      iverilog -g2001 -DDEVICE="${top}_q8" -DF=8 -o bench "$examples/vectors_bench.v" "$1"/*.v
+      vvp -n bench >/dev/null
+    }
+    simulated export
+    judged 0 q8
+    grep -q 'vectors of .* equal$' said || fail "$(cat said)"
+    count=0
+    # found FILES OLD NEW: OLD stands once in one of the export's files; with NEW in its place the check finds it.
+    found() {
+      local files
+      rm -rf faulty
+      cp -r export faulty
+      # shellcheck disable=SC2086
+      files=$(cd faulty && grep -lF -- "$2" $1)
+      [ "$(wc -l <<<"$files")" = 1 ] && [ "$(grep -cF -- "$2" "faulty/$files")" = 1 ] || fail "'$2' is not there once"
+      OLD=$2 NEW=$3 awk '{ at = index($0, ENVIRON["OLD"])
+        if (at) $0 = substr($0, 1, at - 1) ENVIRON["NEW"] substr($0, at + length(ENVIRON["OLD"]))
+        print }' "export/$files" >"faulty/$files"
+      simulated faulty
+      judged 1 q8 "with '$3' for '$2'"
+      [ "$(grep -c ' ulp ' said)" -ge 1 ] || fail "no difference is shown for '$2'"
+      count=$((count + 1))
+    }
+    found '*.v' "8'd201" "8'd200"
+    found '*.v' "2'd3)) node32" "2'd1)) node32"
+    found '*.v' "1'd1)) carry28" "1'd0)) carry28"
+    found '*.v' '.b_i(g_ks), .p_o(g_o)' '.b_i(r_ks), .p_o(g_o)'
+    found '*.v' '.a_i(brdf), .b_i(b_ks)' '.a_i(cos_delta), .b_i(b_ks)'
+    found '*_quantise_*.v' "+ 19'd1" "+ 19'd0"
+    found '*_quantise_*.v' "? 9'd0 :" "? 9'd1 :"
+    found '*_inverter_bank_*.v' '~{' '{'
+    found '*_reg_trailing_*.v' 'we_q && !we_i' '!we_q && we_i'
+    found '*_reg_level_uq8_0.v' 'else if (we_i)' 'else if (!we_i)'
+    [ "$count" = 10 ] || fail "$count faults"
+    ;;
+  verilator)
+    "$blysk" vectors --device "$device" --format q12 --output vectors.txt
+    verilator --binary --timing -Wno-fatal -Wno-lint -DDEVICE="${top}_q12" -DF=12 --top-module vectors_bench -Mdir made \
+      "$examples/vectors_bench.v" "$root/rtl_verilog/${device//-/_}_q12"/*.v >log 2>&1 || { cat log >&2 && exit 1; }
+    made/Vvectors_bench >/dev/null
+    judged 0 q12
+    ;;
+  python)
+    command -v python3 >/dev/null || exit 77
+    "$blysk" vectors --device "$device" --format q8 | python3 "$examples/vectors_model.py" >answers.txt
+    judged 0 q8
+    sed 's/201 \* n/202 * n/' "$examples/vectors_model.py" >wrong.py
+    "$blysk" vectors --device "$device" --format q8 | python3 wrong.py >answers.txt
+    judged 1 q8
+    ;;
+  *) fail "no case $case" ;;
+esac
