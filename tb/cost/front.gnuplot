@@ -33,13 +33,20 @@ cost(panel) = panel == 1 ? '$at["lut"]' : panel == 2 ? '($at["results_per_s_asic
 set autoscale noextend
 set offsets graph 0.06, graph 0.1, graph 0.1, graph 0.1
 set format xy '%g'
-set ytics 1e-12, 10
-do for [e = -9:1] { do for [m in '1 2 5'] { set ytics add (10.0**e * m) } }
+# What is close together needs no logarithm.
+spread = real(system("awk -F, '" . row . ' { y = $at["' . metric . '"]; y = y < 0 ? -y : y; if (y > 0) { if (!low || y < low) low = y; ' \
+  . 'if (y > high) high = y } } END { print low ? high / low : 1 }' . "' '" . ARG1 . "'"))
+if (spread < 5) {
+  unset logscale y
+} else {
+  set ytics 1e-12, 10
+  do for [e = -9:1] { do for [m in '1 2 5'] { set ytics add (10.0**e * m) } }
+}
 
 set multiplot layout 2,2 margins 0.08, 0.98, 0.08, 0.93 spacing 0.1, 0.12
 do for [panel = 1:4] {
   set xlabel label(panel) noenhanced
-  if (panel == 1) { set key at screen 0.53, 0.985 center top horizontal maxrows 1 noenhanced samplen 1 } else { unset key }
+  if (panel == 1) { set key at screen 0.53, 0.985 center top vertical maxrows 1 noenhanced samplen 1 } else { unset key }
   if (words(system(front(cost(panel))[2:])) == 0) {
     set title label(panel) . ': not measured' noenhanced
     plot [1:10] [1:10] NaN notitle

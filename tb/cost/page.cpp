@@ -51,6 +51,7 @@ std::string rows_block(const rows& all, const words& formats) {
                               "10^6 results/s", "NAND2", "longest path, ns", "10^6 results/s", ""});
   for (const configuration& each : in_formats(all, formats)) {
     const cost_row& cost = each.cost;
+    if (!cost.ice40 && !cost.ice40_dsp && !cost.hx8k && !cost.osu018) continue;
     const auto rate = [&](double mhz) {
       return mhz > 0 ? fmt::format("{:.1f}", mhz / each.cycles_per_result()) : kNothing;
     };
@@ -158,6 +159,8 @@ std::string compare_block(const rows& all, const words& names) {
       if (first.asked.of().name() != names[0] || second.asked.of().name() != names[1] ||
           !first.asked.is_preset() || first.asked.format() != second.asked.format())
         continue;
+      if (std::ranges::none_of(figures, [&](const compared& by) { return by.of(first) && by.of(second); }))
+        continue;
       const int simpler = better_of(figures.front(), first, second);
       words cells{second.label().substr(names[1].size() + 1)};
       for (std::size_t i = 0; i < figures.size(); ++i) {
@@ -202,7 +205,7 @@ std::string tools_block(const rows& all) {
     add(each.cost.hx8k);
     add(each.cost.osu018);
   }
-  std::string text = head_of({"tool", "version"});
+  std::string text = "| tool | version |\n|---|---|\n";
   for (const auto& [tool, version] : tools) text += line_of({tool, version});
   return text;
 }
