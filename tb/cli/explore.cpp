@@ -13,9 +13,9 @@
 #include "tb/cost/measured.h"
 #include "tb/cost/sweep.h"
 #include "tb/cost/table.h"
-#include "tb/output_file.h"
 #include "tb/progress.h"
 #include "tb/read_number.h"
+#include "tb/usage_error.h"
 
 namespace blysk::cli {
 namespace {
@@ -83,13 +83,6 @@ double positive_of(const std::string& name, std::string text, std::string_view u
   return *value;
 }
 
-void write_or_print(const std::string& path, const std::string& text) {
-  output_file file(path);
-  file.write(text);
-  file.close();
-  file.commit();
-}
-
 /// The configurations that --device, --format and the options leave.
 std::vector<cost::configuration> measured_rows(const options& asked) {
   if (!asked.device.empty())
@@ -134,7 +127,10 @@ void print_table(const options& asked, const std::vector<cost::configuration>& r
           "blysk: {} rows are stale: the exported Verilog has changed since; scripts/synth measures them\n",
           stale);
   }
-  if (!asked.html.empty()) write_or_print(asked.html, cost::html_page(json_rows(rows, domains_of(asked))));
+  if (!asked.html.empty()) {
+    cost::write_text(asked.html, cost::html_page(json_rows(rows, domains_of(asked))));
+    if (asked.html != "-") fmt::print("{}: {} configurations\n", printable(asked.html), rows.size());
+  }
 }
 
 /// What is said of a choice, and the exit status.
@@ -323,16 +319,18 @@ void add_explore(CLI::App& program, int& status) {
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
   auto* merge = verb->add_subcommand("merge", "Bring the folders of all shards together");
+  merge->fallthrough();  // --json and others stand behind it too
   merge->add_option("FOLDERS", asked->shards, "of the shards")->required();
   merge->add_option("--output", asked->merged, "folder for the whole, empty or new")->required();
   verb->footer(
       "Examples:\n"
       "  blysk explore\n"
-      "  blysk explore --tolerance 0.05 --metric max_abs_err --domain epicentre --target asic --clock 50MHz\n"
+      "  blysk explore --tolerance 0.1 --metric max_abs_err --domain epicentre --target asic --clock 50MHz\n"
       "  blysk explore --html front.html\n"
-      "  blysk explore --cos 8..12 --coefficient 6..10 --output sweep --jobs 2\n"
-      "  blysk explore --cos 8..12 --shard 1/2 --output part1; blysk explore merge part1 part2 --output "
-      "sweep");
+      "  blysk explore --cos 8..9 --coefficient 7..8 --output sweep --jobs 2\n"
+      "  blysk explore --cos 8..9 --shard 1/2 --output part1\n"
+      "  blysk explore --cos 8..9 --shard 2/2 --output part2\n"
+      "  blysk explore merge part1 part2 --output whole");
   verb->callback([asked, merge, &status] {
     if (merge->parsed()) {
       const auto [of, rows] = cost::merge_shards(asked->shards, asked->merged);

@@ -3,11 +3,7 @@
 // --check finds another text.
 #include <fmt/format.h>
 
-#include <fstream>
-#include <iterator>
-
 #include "tb/cost/page.h"
-#include "tb/output_file.h"
 #include "tb/program.h"
 
 namespace {
@@ -19,9 +15,7 @@ int run(const std::string& tables, const std::vector<std::string>& pages, bool i
   cost::look_for_stale(all);
   bool is_fine = true;
   for (const std::string& path : pages) {
-    std::ifstream file(path, std::ios::binary);
-    if (!file) throw file_error(path, 0, "cannot be read, expected a page");
-    const std::string page{std::istreambuf_iterator<char>(file), {}};
+    const std::string page = cost::read_text(path);
     const std::string made = with_generated_blocks(path, page, all);
     if (made == page) continue;
     if (is_check) {
@@ -29,10 +23,7 @@ int run(const std::string& tables, const std::vector<std::string>& pages, bool i
       is_fine = false;
       continue;
     }
-    output_file written(path);
-    written.write(made);
-    written.close();
-    written.commit();
+    cost::write_text(path, made);
   }
   return is_fine ? 0 : 1;
 }

@@ -5,7 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
+#include <iterator>
 
+#include "tb/output_file.h"
 #include "tb/usage_error.h"
 
 namespace blysk::cost {
@@ -153,6 +156,19 @@ cost_row parse_cost_row(const std::string& path, const std::string& text) {
   } catch (const std::domain_error& error) {
     throw file_error(path, 0, fmt::format("is damaged: {}, expected a row of scripts/synth", error.what()));
   }
+}
+
+std::string read_text(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw file_error(path, 0, fmt::format("cannot be read ({})", system_reason()));
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+void write_text(const std::string& path, const std::string& text) {
+  output_file file(path);
+  file.write(text);
+  file.close();
+  file.commit();
 }
 
 std::string stored_text(const nlohmann::ordered_json& json) {

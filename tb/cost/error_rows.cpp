@@ -4,13 +4,10 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <sstream>
 
 #include "tb/cost/cost_row.h"
 #include "tb/cost/errors.h"
-#include "tb/output_file.h"
 #include "tb/program.h"
 #include "tb/progress.h"
 
@@ -57,8 +54,7 @@ std::string text_of(const selection& asked, int threads) {
 }
 
 bool is_current(const std::string& path, const std::string& text) {
-  std::ifstream file(path, std::ios::binary);
-  if (file && std::string(std::istreambuf_iterator<char>(file), {}) == text) return true;
+  if (fs::exists(path) && cost::read_text(path) == text) return true;
   fmt::print("{} is stale: the target update_errors writes it\n", path);
   return false;
 }
@@ -75,10 +71,7 @@ int run(const options& asked) {
       continue;
     }
     fs::create_directories(fs::path(path).parent_path());
-    output_file file(path);
-    file.write(text);
-    file.close();
-    file.commit();
+    cost::write_text(path, text);
   }
   return is_fine ? 0 : 1;
 }

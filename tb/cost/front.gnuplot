@@ -9,7 +9,7 @@ if (ARG2[strlen(ARG2) - 3:] eq '.png') {
 set output ARG2
 set datafile separator ','
 metric = ARG3
-set logscale xy
+set logscale y
 set grid lc rgb '#dddddd' lw 0.5
 set ylabel metric . ', ' . ARG4 noenhanced
 unset key
@@ -26,15 +26,37 @@ front(cost) = "< awk -F, '" . row . ' { x = ' . cost . '; y = $at["' . metric . 
   . 'if (x > 0 && y > 0) print x "," y }' . "' '" . ARG1 . "' | sort -t, -g -k1,1 -k2,2 | awk -F, 'NR == 1 || $2 < best { best = $2; print }'"
 colour(i) = word("#1f77b4 #d95f02 #1b9e77 #7570b3 #e7298a #66a61e #a6761d #444444", 1 + (i - 1) % 8)
 
-set multiplot layout 2,2
+label(panel) = panel == 1 ? 'iCE40: LUT' : panel == 2 ? 'OSU018: ns a result' : panel == 3 ? 'OSU018: area in NAND2' \
+  : 'host: s a million results, engine bit'
+cost(panel) = panel == 1 ? '$at["lut"]' : panel == 2 ? '($at["results_per_s_asic"] > 0 ? 1e9 / $at["results_per_s_asic"] : 0)' \
+  : panel == 3 ? '$at["area_nand2"]' : host('bit')
+set autoscale noextend
+set offsets graph 0.06, graph 0.1, graph 0.1, graph 0.1
+set format xy '%g'
+# What is close together needs no logarithm.
+spread = real(system("awk -F, '" . row . ' { y = $at["' . metric . '"]; y = y < 0 ? -y : y; if (y > 0) { if (!low || y < low) low = y; ' \
+  . 'if (y > high) high = y } } END { print low ? high / low : 1 }' . "' '" . ARG1 . "'"))
+if (spread < 5) {
+  unset logscale y
+} else {
+  set ytics 1e-12, 10
+  do for [e = -9:1] { do for [m in '1 2 5'] { set ytics add (10.0**e * m) } }
+}
+
+set multiplot layout 2,2 margins 0.08, 0.98, 0.08, 0.93 spacing 0.1, 0.12
 do for [panel = 1:4] {
-  cost = word('$at["lut"] 1e9/$at["results_per_s_asic"] $at["area_nand2"] HOST', panel)
-  if (panel == 2) { cost = '($at["results_per_s_asic"] > 0 ? 1e9 / $at["results_per_s_asic"] : 0)' }
-  if (panel == 4) { cost = host('bit') }
-  set xlabel word("iCE40:_LUT OSU018:_ns_a_result OSU018:_area_in_NAND2 host:_s_a_million_results,_engine_bit", panel) noenhanced
-  if (panel == 1) { set key top right noenhanced samplen 1 } else { unset key }
-  plot front(cost) using 1:2 with steps lc rgb '#999999' dt 2 lw 1.5 notitle, \
-    for [i = 1:words(names)] points(word(names, i), cost) using 1:2 with points pt 7 ps 0.9 lc rgb colour(i) title word(names, i), \
-    for [i = 1:words(names)] points(word(names, i), cost) using 1:2:3 with labels offset 1.6,0.6 font ',9' tc rgb '#555555' notitle
+  set xlabel label(panel) noenhanced
+  if (panel == 1) { set key at screen 0.53, 0.985 center top vertical maxrows 1 noenhanced samplen 1 } else { unset key }
+  if (words(system(front(cost(panel))[2:])) == 0) {
+    set title label(panel) . ': not measured' noenhanced
+    plot [1:10] [1:10] NaN notitle
+    set title
+  } else {
+    plot front(cost(panel)) using 1:2 with steps lc rgb '#999999' dt 2 lw 1.5 notitle, \
+      for [i = 1:words(names)] points(word(names, i), cost(panel)) using 1:2 with points pt 7 ps 0.9 lc rgb colour(i) \
+        title word(names, i), \
+      for [i = 1:words(names)] points(word(names, i), cost(panel)) using 1:2:3 with labels left offset 0.8,1.5 - 0.75 * i \
+        font ',9' tc rgb colour(i) notitle
+  }
 }
 unset multiplot

@@ -26,12 +26,6 @@ bool is_row(const std::string& name) {
   return name.ends_with(".json") && (name.starts_with("cost_") || name.starts_with("errors_"));
 }
 
-std::string read_file(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw file_error(path.string(), 0, fmt::format("cannot be read ({})", system_reason()));
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
 constexpr const char* kHostTimes = "host_times.json";
 
 std::vector<named_text> texts_of(const std::string& folder) {
@@ -45,7 +39,7 @@ std::vector<named_text> texts_of(const std::string& folder) {
   for (const auto& entry : fs::recursive_directory_iterator(folder)) {
     const std::string name = entry.path().filename().string();
     if (entry.is_regular_file() && (is_row(name) || name == kHostTimes))
-      texts.push_back({entry.path().string(), read_file(entry.path())});
+      texts.push_back({entry.path().string(), read_text(entry.path())});
   }
   if (texts.empty())
     throw file_error(folder, 0, "holds no measured rows, expected cost_*.json or errors_*.json");

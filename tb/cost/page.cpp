@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <iterator>
 #include <optional>
@@ -50,6 +51,7 @@ std::string rows_block(const rows& all, const words& formats) {
                               "10^6 results/s", "NAND2", "longest path, ns", "10^6 results/s", ""});
   for (const configuration& each : in_formats(all, formats)) {
     const cost_row& cost = each.cost;
+    if (!cost.ice40 && !cost.ice40_dsp && !cost.hx8k && !cost.osu018) continue;
     const auto rate = [&](double mhz) {
       return mhz > 0 ? fmt::format("{:.1f}", mhz / each.cycles_per_result()) : kNothing;
     };
@@ -116,56 +118,65 @@ std::string front_block(const rows& all, const words& asked) {
 /// A figure that two devices are compared by.
 struct compared {
   const char* name;
-  bool is_smaller_simpler;
+  bool is_smaller_better;
   std::function<std::optional<double>(const configuration&)> of;
 };
 
-std::string compare_block(const rows& all, const words& names) {
+/// What two devices are compared by; the first of them says who is simpler.
+const std::vector<compared>& compared_figures() {
   using figure = std::optional<double>;
-  const std::vector<compared> figures{
-      {"OSU018, NAND2", true,
-       [](const configuration& c) { return c.cost.osu018 ? figure(c.cost.osu018->area_nand2) : figure(); }},
-      {"OSU018, longest path, ns", true,
-       [](const configuration& c) { return c.cost.osu018 ? figure(c.cost.osu018->path_ns) : figure(); }},
-      {"iCE40, LUT", true,
-       [](const configuration& c) { return c.cost.ice40 ? figure(c.cost.ice40->lut) : figure(); }},
-      {"iCE40, RAM blocks", true,
-       [](const configuration& c) {
-         return c.cost.ice40 ? figure(static_cast<double>(c.cost.ice40->ram_bits) / 4096) : figure();
-       }},
-      {"iCE40 with DSP, LUT", true,
-       [](const configuration& c) { return c.cost.ice40_dsp ? figure(c.cost.ice40_dsp->lut) : figure(); }},
-      {"iCE40 with DSP, blocks", true,
-       [](const configuration& c) { return c.cost.ice40_dsp ? figure(c.cost.ice40_dsp->dsp) : figure(); }},
-      {"HX8K, median MHz", false,
-       [](const configuration& c) { return c.cost.hx8k ? figure(c.cost.hx8k->median()) : figure(); }},
+  using row = const configuration&;
+  static const std::vector<compared> all{
+      {"NAND2", true, [](row c) { return c.cost.osu018 ? figure(c.cost.osu018->area_nand2) : figure(); }},
+      {"path, ns", true, [](row c) { return c.cost.osu018 ? figure(c.cost.osu018->path_ns) : figure(); }},
+      {"LUT", true, [](row c) { return c.cost.ice40 ? figure(c.cost.ice40->lut) : figure(); }},
+      {"RAM blocks", true,
+       [](row c) { return c.cost.ice40 ? figure(c.cost.ice40->ram_bits / 4096) : figure(); }},
+      {"LUT with DSP", true,
+       [](row c) { return c.cost.ice40_dsp ? figure(c.cost.ice40_dsp->lut) : figure(); }},
+      {"DSP blocks", true, [](row c) { return c.cost.ice40_dsp ? figure(c.cost.ice40_dsp->dsp) : figure(); }},
+      {"HX8K, MHz", false, [](row c) { return c.cost.hx8k ? figure(c.cost.hx8k->median()) : figure(); }},
   };
-  const auto of_device = [&](const std::string& name) {
-    rows found;
-    std::ranges::copy_if(all, std::back_inserter(found),
-                         [&](const configuration& each) { return each.asked.of().name() == name; });
-    return found;
-  };
-  std::string text = head_of({"format and figure", names.at(0), names.at(1), "ratio", "better"});
-  for (const configuration& a : of_device(names.at(0))) {
-    for (const configuration& b : of_device(names.at(1))) {
-      if (a.asked.format() != b.asked.format() || !a.asked.is_preset()) continue;
-      const bool counts = figures.front().of(a) && figures.front().of(b);
-      const bool first_is_smaller = counts && *figures.front().of(a) <= *figures.front().of(b);
-      std::string options = b.label().substr(b.asked.of().name().size() + 1);
-      for (const compared& each : figures) {
-        const figure x = each.of(a);
-        const figure y = each.of(b);
-        if (!x || !y) continue;
-        const bool is_first = each.is_smaller_simpler ? *x < *y : *x > *y;
-        std::string better = *x == *y ? "equal" : is_first ? names[0] : names[1];
-        if (counts && *x != *y && is_first != first_is_smaller) better = "**" + better + "**";
-        text += line_of({fmt::format("{}: {}", options, each.name), number_text(*x), number_text(*y),
-                         *x > 0 ? fmt::format("{:.3f}", *y / *x) : kNothing, better});
+  return all;
+}
+
+/// -1 if the first device is better, 1 if the second is, 0 if they are equal or one was not measured.
+int better_of(const compared& by, const configuration& first, const configuration& second) {
+  const std::optional<double> a = by.of(first);
+  const std::optional<double> b = by.of(second);
+  if (!a || !b || *a == *b) return 0;
+  return (*a < *b) == by.is_smaller_better ? -1 : 1;
+}
+
+std::string compare_block(const rows& all, const words& names) {
+  const std::vector<compared>& figures = compared_figures();
+  words head{fmt::format("{} / {}", names.at(0), names.at(1))};
+  for (const compared& each : figures) head.emplace_back(each.name);
+  std::string text = head_of(head);
+  std::vector<std::array<int, 2>> wins(figures.size());
+  for (const configuration& first : all) {
+    for (const configuration& second : all) {
+      if (first.asked.of().name() != names[0] || second.asked.of().name() != names[1] ||
+          !first.asked.is_preset() || first.asked.format() != second.asked.format())
+        continue;
+      if (std::ranges::none_of(figures, [&](const compared& by) { return by.of(first) && by.of(second); }))
+        continue;
+      const int simpler = better_of(figures.front(), first, second);
+      words cells{second.label().substr(names[1].size() + 1)};
+      for (std::size_t i = 0; i < figures.size(); ++i) {
+        const std::optional<double> a = figures[i].of(first);
+        const std::optional<double> b = figures[i].of(second);
+        const int better = better_of(figures[i], first, second);
+        if (better != 0) ++wins[i][better < 0 ? 0 : 1];
+        const std::string cell = a && b ? number_text(*a) + " / " + number_text(*b) : kNothing;
+        cells.push_back(better * simpler < 0 ? "**" + cell + "**" : cell);
       }
+      text += line_of(cells);
     }
   }
-  return text;
+  words better{fmt::format("rows where {} / {} is better", names[0], names[1])};
+  for (const auto& [first, second] : wins) better.push_back(fmt::format("{} / {}", first, second));
+  return text + line_of(better);
 }
 
 std::string host_block(const rows& all, const words& formats) {
@@ -194,7 +205,7 @@ std::string tools_block(const rows& all) {
     add(each.cost.hx8k);
     add(each.cost.osu018);
   }
-  std::string text = head_of({"tool", "version"});
+  std::string text = "| tool | version |\n|---|---|\n";
   for (const auto& [tool, version] : tools) text += line_of({tool, version});
   return text;
 }

@@ -49,26 +49,13 @@ json json_of(const sweep& of, const shard& part) {
           {"shard", fmt::format("{}/{}", part.index, part.count)}};
 }
 
-std::string read_file(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw file_error(path.string(), 0, fmt::format("cannot be read ({})", system_reason()));
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
-void write_file(const fs::path& path, const std::string& text) {
-  output_file file(path.string());
-  file.write(text);
-  file.close();
-  file.commit();
-}
-
 /// The sweep that a folder belongs to.
 std::pair<sweep, shard> read_description(const fs::path& folder) {
   const std::string path = (folder / kDescription).string();
   if (!fs::exists(path))
     throw file_error(folder.string(), 0,
                      fmt::format("has no {}, expected the folder of a sweep", kDescription));
-  const json stored = parse_json(path, read_file(path));
+  const json stored = parse_json(path, read_text(path));
   try {
     sweep of{stored.at("device"), stored.at("options"), {}};
     for (const auto& [name, range] : stored.at("word_lengths").items())
@@ -88,7 +75,7 @@ fs::path place_of(const fs::path& folder, const word_lengths& bits) {
 }
 
 error_table read_row(const fs::path& path, const word_lengths& bits) {
-  const json stored = parse_json(path.string(), read_file(path));
+  const json stored = parse_json(path.string(), read_text(path));
   if (!stored.is_object() || !stored.contains("domains") ||
       stored.value("word_lengths", json()) != json(bits))
     throw file_error(path.string(), 0,
@@ -137,7 +124,7 @@ void claim(const fs::path& folder, const sweep& of, const shard& part) {
       throw file_error(folder.string(), 0,
                        fmt::format("holds {}, expected an empty folder or that of the same sweep", name));
   }
-  write_file(path, stored_text(wanted));
+  write_text(path, stored_text(wanted));
 }
 
 /// The named format whose word lengths go with so many bits of the cosine.
@@ -255,7 +242,7 @@ std::vector<sweep_row> run_sweep(const sweep& of, const sweep_settings& settings
     } else {
       const error_table table = measure_errors(judge(point.asked, point.bits), settings.threads, share);
       const std::string text = row_text(point.bits, table);
-      if (is_kept) write_file(place, text);
+      if (is_kept) write_text(place, text);
       // What is printed now is what another run reads.
       rows.push_back({point.bits, parse_errors(place.string(), json::parse(text)["domains"])});
     }
@@ -285,7 +272,7 @@ std::pair<sweep, std::vector<sweep_row>> merge_shards(const std::vector<std::str
                        fmt::format("is shard {}/{} once more, expected each once", part.index, count));
     for (const auto& entry : fs::directory_iterator(folder)) {
       const std::string name = entry.path().filename().string();
-      if (!name.starts_with('.') && name != kDescription) texts[name] = read_file(entry.path());
+      if (!name.starts_with('.') && name != kDescription) texts[name] = read_text(entry.path());
     }
   }
   if (!of) throw usage_error("merge has no folders, expected those of all shards");

@@ -37,7 +37,7 @@ timeout 120 "$browser" --headless --no-sandbox --disable-gpu --user-data-dir="$w
   --dump-dom "file://$work/both.html" >"$work/dom" 2>"$work/log" || { cat "$work/log"; exit 1; }
 sed -n '/<pre id="seen">/,/<\/pre>/p' "$work/dom" | sed 's/<pre id="seen">//' >"$work/seen"
 cat "$work/seen"
-! grep -q '^error' "$work/seen"
+if grep -q '^error' "$work/seen"; then exit 1; fi
 grep -qx 'rows true' "$work/seen"
 grep -q '^tip block lobe, exhaustive, [0-9]* points' "$work/seen"
 grep -qx 'gone none' "$work/seen"
