@@ -31,10 +31,12 @@ int run(int argc, char** argv) {
   blysk::cli::add_model(program);
   blysk::cli::add_export(program);
   blysk::cli::add_list(program);
+  int status = 0;
+  blysk::cli::add_explore(program, status);
   // CLI11 would ask for a verb, but not say what was there instead.
   if (argc > 1 && argv[1][0] != '-' && !has_verb(program, argv[1])) {
     throw blysk::usage_error(
-        fmt::format("'{}' is no verb, expected simulate, model, export or list", argv[1]));
+        fmt::format("'{}' is no verb, expected simulate, model, export, list or explore", argv[1]));
   }
   try {
     program.parse(argc, argv);
@@ -43,7 +45,7 @@ int run(int argc, char** argv) {
   } catch (const CLI::Error& error) {
     throw blysk::usage_error(fmt::format("{}, see blysk --help", error.what()));
   }
-  return 0;
+  return status;
 }
 
 }  // namespace

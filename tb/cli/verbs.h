@@ -11,4 +11,7 @@ void add_model(CLI::App& program);
 void add_export(CLI::App& program);
 void add_list(CLI::App& program);
 
+/// \param status  becomes the program's exit status
+void add_explore(CLI::App& program, int& status);
+
 }  // namespace blysk::cli

@@ -5,7 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
+#include <iterator>
 
+#include "tb/output_file.h"
 #include "tb/usage_error.h"
 
 namespace blysk::cost {
@@ -65,14 +68,15 @@ double positive_of(const json& of, const char* key) {
 }
 
 ice40_cells ice40_of(const json& of) {
-  return {origin_of(of),         count_of(of, "lut"), count_of(of, "carry"),
+  return {origin_of(of),      count_of(of, "lut"), count_of(of, "carry"),
           count_of(of, "ff"), count_of(of, "dsp"), count_of(of, "ram_bits")};
 }
 
 placement placement_of(const json& of) {
   placement placed{origin_of(of), of.at("part"), of.at("seeds"), of.at("fmax_mhz")};
-  const bool counts = placed.fmax_mhz.size() == placed.seeds.size() && !placed.seeds.empty() &&
-                      std::ranges::all_of(placed.fmax_mhz, [](double mhz) { return std::isfinite(mhz) && mhz > 0; });
+  const bool counts =
+      placed.fmax_mhz.size() == placed.seeds.size() && !placed.seeds.empty() &&
+      std::ranges::all_of(placed.fmax_mhz, [](double mhz) { return std::isfinite(mhz) && mhz > 0; });
   if (!counts) throw std::domain_error("fmax_mhz is not one clock above zero for each seed");
   return placed;
 }
@@ -147,10 +151,24 @@ cost_row parse_cost_row(const std::string& path, const std::string& text) {
     take(row, "osu018", result.osu018, standard_cells_of);
     return result;
   } catch (const json::exception&) {
-    throw file_error(path, 0, "is damaged: a key is missing or of another type, expected a row of scripts/synth");
+    throw file_error(path, 0,
+                     "is damaged: a key is missing or of another type, expected a row of scripts/synth");
   } catch (const std::domain_error& error) {
     throw file_error(path, 0, fmt::format("is damaged: {}, expected a row of scripts/synth", error.what()));
   }
+}
+
+std::string read_text(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw file_error(path, 0, fmt::format("cannot be read ({})", system_reason()));
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+void write_text(const std::string& path, const std::string& text) {
+  output_file file(path);
+  file.write(text);
+  file.close();
+  file.commit();
 }
 
 std::string stored_text(const nlohmann::ordered_json& json) {

@@ -77,6 +77,14 @@ cost_row parse_cost_row(const std::string& path, const std::string& text);
 /// \throws usage_error with the line where it goes wrong
 nlohmann::ordered_json parse_json(const std::string& path, const std::string& text);
 
+/// The text of a file.
+/// \throws usage_error if it cannot be read
+std::string read_text(const std::string& path);
+
+/// Writes a file atomically.
+/// \throws usage_error if it cannot be written
+void write_text(const std::string& path, const std::string& text);
+
 /// The row's text as it is stored, two blanks an indent.
 std::string stored_text(const nlohmann::ordered_json& json);
 

@@ -90,7 +90,8 @@ ice40_cells read_ice40_cells(const std::string& path, const std::string& text) {
     } else if (type.starts_with("SB_RAM40_4K")) {
       cells.ram_bits += kRamBits * count;
     } else {
-      throw file_error(path, 0, fmt::format("has cells {}, expected those of an iCE40 that are counted", type));
+      throw file_error(path, 0,
+                       fmt::format("has cells {}, expected those of an iCE40 that are counted", type));
     }
   }
   return cells;
@@ -104,9 +105,11 @@ double read_fmax(const std::string& path, const std::string& text) {
   return clocks->begin()->at("achieved");
 }
 
-standard_cells read_standard_cells(const std::string& path, const std::string& text, const std::string& liberty) {
-  const double nand2 = find_number("the library", liberty, R"(cell\s*\(\s*"?NAND2X1"?\s*\)\s*\{\s*area\s*:\s*([0-9.]+))",
-                                   "the area of a NAND2X1");
+standard_cells read_standard_cells(const std::string& path, const std::string& text,
+                                   const std::string& liberty) {
+  const double nand2 =
+      find_number("the library", liberty, R"(cell\s*\(\s*"?NAND2X1"?\s*\)\s*\{\s*area\s*:\s*([0-9.]+))",
+                  "the area of a NAND2X1");
   standard_cells cells;
   cells.cells = static_cast<std::int64_t>(
       find_number(path, text, "Number of cells: +([0-9]+)", "what stat -liberty of Yosys prints"));
@@ -120,7 +123,8 @@ double read_path_ns(const std::string& path, const std::string& text, double per
   // OpenSTA goes on after an error, without what it could not read.
   if (text.find("Error") != std::string::npos)
     throw file_error(path, 0, "reports an error of OpenSTA, expected none");
-  const double slack = find_number(path, text, R"((-?[0-9.]+) +slack \()", "what report_checks of OpenSTA prints");
+  const double slack =
+      find_number(path, text, R"((-?[0-9.]+) +slack \()", "what report_checks of OpenSTA prints");
   return std::round(1000 * (period_ns - slack)) / 1000;
 }
 

@@ -22,7 +22,8 @@ double read_fmax(const std::string& path, const std::string& text);
 
 /// Cells and area of a `stat -liberty` of Yosys, in areas of the library's NAND2X1.
 /// \param liberty  the library's text
-standard_cells read_standard_cells(const std::string& path, const std::string& text, const std::string& liberty);
+standard_cells read_standard_cells(const std::string& path, const std::string& text,
+                                   const std::string& liberty);
 
 /// The longest path from a `report_checks -path_delay max` of OpenSTA, ns.
 /// \param period_ns  of the clock that it was given

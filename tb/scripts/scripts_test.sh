@@ -50,7 +50,7 @@ case $case in
     stub ctest <<END
 echo "\$*" >'$folder/arguments'
 END
-    for script in build check-includes figures gtkwave-screenshot lint run setup stability test wave; do
+    for script in build check-includes figures gtkwave-screenshot lint run setup stability synth test wave; do
       exits 0 "tree/scripts/$script" a b --help
       grep -q '^Usage: scripts/'$script said || fail "$script has no help: $(cat said)"
       [ "$script" = run ] && continue # its options are the program's

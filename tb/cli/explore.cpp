@@ -1,0 +1,346 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <map>
+#include <memory>
+#include <optional>
+
+#include "tb/cli/verbs.h"
+#include "tb/cost/measured.h"
+#include "tb/cost/sweep.h"
+#include "tb/cost/table.h"
+#include "tb/progress.h"
+#include "tb/read_number.h"
+#include "tb/usage_error.h"
+
+namespace blysk::cli {
+namespace {
+
+using json = nlohmann::ordered_json;
+
+struct options {
+  // which rows
+  std::string device, format;
+  std::map<std::string, std::string> named;  ///< options of devices, or ranges of word lengths
+  std::string measured;
+  // what of them
+  std::string metric = "max_abs_err", domain, target = "ice40", tolerance, clock;
+  bool json = false, csv = false, markdown = false;
+  bool has_tolerance = false;  ///< also where it is given as ''
+  std::string html;
+  // what to measure now
+  bool measures = false;
+  std::string output, shard = "1/1";
+  int jobs = 1;
+  // merge
+  std::vector<std::string> shards;
+  std::string merged;
+};
+
+bool is_range(const std::string& text) {
+  return !text.empty() && text.find_first_not_of("0123456789.") == std::string::npos;
+}
+
+/// Names of all devices' word lengths and options, each once.
+std::map<std::string, std::string> names_of_all() {
+  std::map<std::string, std::string> names;
+  for (const device* each : devices()) {
+    for (const option& own : each->options()) names.try_emplace(own.name, own.help);
+    for (const auto& [name, width] : each->widths(choose(each->name(), std::string(format_names[0])))) {
+      std::string& help = names[name];
+      if (help.find("bits, such as") == std::string::npos)
+        help +=
+            fmt::format("{}bits, such as 12 or 8..12: errors are measured now", help.empty() ? "" : "; or ");
+    }
+  }
+  return names;
+}
+
+/// The domains that are asked for: all if none is.
+std::vector<cost::domain> domains_of(const options& asked) {
+  std::vector<cost::domain> domains;
+  if (!asked.domain.empty()) return {cost::find_domain(asked.domain)};
+  for (const cost::named_domain& each : cost::kDomains) domains.push_back(each.which);
+  return domains;
+}
+
+/// The domain of a table that shows one.
+cost::domain domain_of(const options& asked) {
+  return asked.domain.empty() ? cost::domain::lobe : cost::find_domain(asked.domain);
+}
+
+/// \param unit  that may follow the number
+double positive_of(const std::string& name, std::string text, std::string_view unit) {
+  const std::string given = text;
+  if (!unit.empty() && text.ends_with(unit)) text.resize(text.size() - unit.size());
+  const std::optional<double> value = read_real(text);
+  if (!value || !std::isfinite(*value) || !(*value > 0))
+    throw usage_error(fmt::format("--{} is {}, expected a number above zero{}", name, given,
+                                  unit.empty() ? "" : fmt::format(" such as 50{}", unit)));
+  return *value;
+}
+
+/// The configurations that --device, --format and the options leave.
+std::vector<cost::configuration> measured_rows(const options& asked) {
+  if (!asked.device.empty())
+    choose(asked.device, asked.format.empty() ? std::string(format_names[0]) : asked.format, asked.named);
+  else if (!asked.named.empty())
+    throw usage_error(
+        fmt::format("--{} is of a device, expected --device with it", asked.named.begin()->first));
+  else if (!asked.format.empty())
+    choose(devices().front()->name(), asked.format);
+  std::vector<cost::configuration> rows = cost::read_measured(asked.measured);
+  std::erase_if(rows, [&](const cost::configuration& each) {
+    if (!asked.device.empty() && each.asked.of().name() != asked.device) return true;
+    if (!asked.format.empty() && each.asked.format() != asked.format) return true;
+    return std::ranges::any_of(asked.named,
+                               [&](const auto& of) { return each.asked.value(of.first) != of.second; });
+  });
+  cost::look_for_stale(rows);
+  return rows;
+}
+
+void print_table(const options& asked, const std::vector<cost::configuration>& rows) {
+  const cost::metric& by = cost::find_metric(asked.metric);
+  const cost::domain where = domain_of(asked);
+  if (asked.json) {
+    fmt::print("{}\n", json_rows(rows, domains_of(asked)).dump(2));
+  } else if (asked.csv) {
+    fmt::print("{}", cost::csv_of(json_rows(rows, domains_of(asked))));
+  } else if (asked.markdown) {
+    fmt::print("{}", markdown_table(rows, by, where));
+  } else if (asked.html.empty()) {
+    fmt::print(
+        "{}\nerror: {}; RAM: blocks of 4096 bits; LUT + DSP: with DSP blocks of an UP5K; MHz: median "
+        "[least..most]\n"
+        "of the seeds; M/s: million results a second, iCE40 at the slowest seed; NAND2, ns: OSU018; latency: "
+        "clock "
+        "cycles;\ngolden .. verilator: seconds of one host core for a million results\n",
+        plain_table(rows, by, where), by.what);
+    const auto stale = std::ranges::count_if(rows, &cost::configuration::is_stale);
+    if (stale != 0)
+      fmt::print(
+          stderr,
+          "blysk: {} rows are stale: the exported Verilog has changed since; scripts/synth measures them\n",
+          stale);
+  }
+  if (!asked.html.empty()) {
+    cost::write_text(asked.html, cost::html_page(json_rows(rows, domains_of(asked))));
+    if (asked.html != "-") fmt::print("{}: {} configurations\n", printable(asked.html), rows.size());
+  }
+}
+
+/// What is said of a choice, and the exit status.
+int answer(const options& asked, const std::vector<cost::configuration>& rows) {
+  const double tolerance = positive_of("tolerance", asked.tolerance, "");
+  const double mhz = asked.clock.empty() ? 0 : positive_of("clock", asked.clock, "MHz");
+  const cost::metric& by = cost::find_metric(asked.metric);
+  const cost::technology& in = cost::find_technology(asked.target);
+  const cost::domain where = domain_of(asked);
+  const cost::choice found = choose_cheapest(rows, tolerance, by, where, in, mhz);
+  const auto row_of = [&](const cost::configuration* of) {
+    return of == nullptr ? json(nullptr) : json_rows({*of}, std::array{where}).front();
+  };
+  if (asked.json) {
+    json neighbours = json::array();
+    const auto add = [&](const char* side, const cost::configuration* of) {
+      if (of == nullptr) return;
+      json row = row_of(of);
+      row["side"] = side;
+      neighbours.push_back(std::move(row));
+    };
+    add(found.cheapest == nullptr ? "nearest" : "cheaper", found.cheaper);
+    add("better", found.better);
+    fmt::print("{}\n", json{{"cheapest", row_of(found.cheapest)}, {"neighbours", neighbours}}.dump(2));
+    return found.cheapest == nullptr ? 1 : 0;
+  }
+  const auto line = [&](const char* name, const cost::configuration* of) {
+    if (of == nullptr) return;
+    fmt::print("{:<10} {}: {} {}, {} {} in {}{}\n           {}\n", name, of->label(), by.key,
+               cost::number_text(by.of(of->errors->at(static_cast<std::size_t>(where)))), *in.cost(*of),
+               in.unit, in.what, of->is_stale ? ", stale" : "", of->command());
+  };
+  if (found.cheapest == nullptr) {
+    fmt::print("cheapest   none: no measured configuration has {} <= {}{}\n", by.key, asked.tolerance,
+               mhz > 0 ? fmt::format(" at {} MHz", mhz) : "");
+    line("nearest", found.cheaper);
+    return 1;
+  }
+  line("cheapest", found.cheapest);
+  fmt::print("neighbours\n");
+  line("cheaper", found.cheaper);
+  line("better", found.better);
+  return 0;
+}
+
+/// Splits what was given by name into options of the device and ranges of word lengths.
+cost::sweep sweep_of(const options& asked) {
+  const std::string device = asked.device.empty() ? devices().front()->name() : asked.device;
+  cost::sweep of{device, {}, {}};
+  const selection first = choose(device, std::string(format_names[0]));
+  const word_lengths known = first.of().widths(first);
+  for (const auto& [name, value] : asked.named) {
+    if (is_range(value) && (known.contains(name) || first.values().count(name) == 0)) {
+      of.widths[name] = cost::parse_range(name, value);
+    } else {
+      of.options[name] = value;
+    }
+  }
+  of.check();
+  return of;
+}
+
+void print_sweep(const options& asked, const cost::sweep& of, const std::vector<cost::sweep_row>& rows) {
+  const json printed = json_rows(of, rows, domains_of(asked));
+  if (asked.json) {
+    fmt::print("{}\n", printed.dump(2));
+  } else if (asked.csv) {
+    fmt::print("{}", cost::csv_of(printed));
+  } else {
+    const cost::metric& by = cost::find_metric(asked.metric);
+    const cost::domain where = domain_of(asked);
+    fmt::print("{} in {} of {}\n", by.key,
+               std::ranges::find(cost::kDomains, where, &cost::named_domain::which)->name, of.device);
+    for (const cost::sweep_row& row : rows) {
+      std::string bits;
+      for (const auto& [name, width] : row.bits) bits += fmt::format("{} {:>2}  ", name, width);
+      fmt::print("{}{}\n", bits, cost::number_text(by.of(row.errors[static_cast<std::size_t>(where)])));
+    }
+  }
+}
+
+void measure(const options& asked) {
+  if (asked.markdown || !asked.html.empty() || asked.has_tolerance)
+    throw usage_error("rows that are measured now have no cost, expected --json, --csv or a table");
+  cost::sweep of = sweep_of(asked);
+  if (!asked.format.empty()) {  // its word lengths, where no range is given
+    const selection named = choose(of.device, asked.format, of.options);
+    for (const auto& [name, width] : named.of().widths(named))
+      of.widths.try_emplace(name, cost::width_range{width, width});
+  }
+  domains_of(asked);
+  cost::find_metric(asked.metric);
+  const auto [points, refused] = points_of(of);
+  if (points.empty())
+    throw usage_error("no combination of these word lengths fits the device's laws, expected one that does");
+  if (refused > 0)
+    fmt::print(stderr, "blysk: {} combinations are left out, whose nets would not fit the laws or 64 bits\n",
+               refused);
+  constexpr std::size_t kSteps = 1000;
+  std::vector<cost::sweep_row> rows;
+  {
+    progress shown("measuring errors", kSteps);
+    std::size_t before = 0;
+    rows = run_sweep(of, {asked.output, cost::parse_shard(asked.shard), asked.jobs}, [&](double share) {
+      const auto now = static_cast<std::size_t>(share * kSteps);
+      if (now <= before) return;
+      shown.advance(now - before);
+      before = now;
+    });
+  }
+  print_sweep(asked, of, rows);
+}
+
+int run(const options& asked) {
+  const bool has_ranges = std::ranges::any_of(asked.named, [](const auto& each) {
+    // "--constant 101" is a range by its look, but an option of a device and no word length of any.
+    return is_range(each.second) && std::ranges::any_of(devices(), [&](const device* of) {
+             return of->widths(choose(of->name(), std::string(format_names[0]))).contains(each.first);
+           });
+  });
+  if (asked.measures || has_ranges) {
+    measure(asked);
+    return 0;
+  }
+  if (!asked.output.empty() || asked.shard != "1/1")
+    throw usage_error(
+        "--output and --shard are of a sweep, expected ranges of word lengths or --measure with them");
+  const std::vector<cost::configuration> rows = measured_rows(asked);
+  if (asked.has_tolerance) return answer(asked, rows);
+  if (!asked.clock.empty())
+    throw usage_error("--clock is a condition on what is cheapest, expected --tolerance with it");
+  print_table(asked, rows);
+  return 0;
+}
+
+}  // namespace
+
+void add_explore(CLI::App& program, int& status) {
+  auto* verb =
+      program.add_subcommand("explore", "Show what accuracy costs: measured rows, or errors measured now");
+  auto asked = std::make_shared<options>();
+  verb->add_option("--device", asked->device, "rows of this device only");
+  verb->add_option("--format", asked->format, "rows of this format only");
+  for (const auto& [name, help] : names_of_all()) {
+    const std::string key = name;
+    bool is_flag = false;
+    for (const device* each : devices()) {
+      for (const option& own : each->options()) is_flag = is_flag || (own.name == key && own.is_flag());
+    }
+    if (is_flag) {
+      verb->add_flag_callback(
+          "--" + key, [asked, key] { asked->named[key] = "on"; }, help);
+    } else {
+      verb->add_option_function<std::string>(
+          "--" + key, [asked, key](const std::string& value) { asked->named[key] = value; }, help);
+    }
+  }
+  verb->add_option("--measured", asked->measured,
+                   "folder of measured rows, instead of those that the program was built with");
+  std::string names;
+  for (const cost::metric& each : cost::metrics())
+    names += fmt::format("{}{}: {}", names.empty() ? "" : "; ", each.key, each.what);
+  verb->add_option("--metric", asked->metric, names)->capture_default_str();
+  names.clear();
+  for (const cost::named_domain& each : cost::kDomains)
+    names += fmt::format("{}{}: {}", names.empty() ? "" : "; ", each.name, each.what);
+  verb->add_option("--domain", asked->domain, names + " (default: lobe, with --json, --csv and --html all)");
+  verb->add_option("--tolerance", asked->tolerance, "print what is cheapest with an error of at most this")
+      ->each([asked](const std::string&) { asked->has_tolerance = true; });
+  names.clear();
+  for (const cost::technology& each : cost::technologies())
+    names += fmt::format("{}{}: {} in {}", names.empty() ? "" : "; ", each.name, each.unit, each.what);
+  verb->add_option("--target", asked->target, names)->capture_default_str();
+  verb->add_option("--clock", asked->clock, "that the hardware has to reach, such as 50MHz");
+  auto* form = verb->add_option_group("form");
+  form->add_flag("--json", asked->json, "print JSON");
+  form->add_flag("--csv", asked->csv, "print CSV");
+  form->add_flag("--markdown", asked->markdown, "print a table in Markdown");
+  form->add_option("--html", asked->html,
+                   "write one page with a picture that answers to the mouse; - for standard output");
+  form->require_option(0, 1);
+  verb->add_flag("--measure", asked->measures, "measure the errors now");
+  verb->add_option("--output", asked->output,
+                   "folder that keeps the rows of a sweep, which then goes on after a stop");
+  verb->add_option("--shard", asked->shard, "which part of a sweep, such as 2/8")->capture_default_str();
+  verb->add_option("--jobs", asked->jobs, "threads at work")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  auto* merge = verb->add_subcommand("merge", "Bring the folders of all shards together");
+  merge->fallthrough();  // --json and others stand behind it too
+  merge->add_option("FOLDERS", asked->shards, "of the shards")->required();
+  merge->add_option("--output", asked->merged, "folder for the whole, empty or new")->required();
+  verb->footer(
+      "Examples:\n"
+      "  blysk explore\n"
+      "  blysk explore --tolerance 0.1 --metric max_abs_err --domain epicentre --target asic --clock 50MHz\n"
+      "  blysk explore --html front.html\n"
+      "  blysk explore --cos 8..9 --coefficient 7..8 --output sweep --jobs 2\n"
+      "  blysk explore --cos 8..9 --shard 1/2 --output part1\n"
+      "  blysk explore --cos 8..9 --shard 2/2 --output part2\n"
+      "  blysk explore merge part1 part2 --output whole");
+  verb->callback([asked, merge, &status] {
+    if (merge->parsed()) {
+      const auto [of, rows] = cost::merge_shards(asked->shards, asked->merged);
+      print_sweep(*asked, of, rows);
+    } else {
+      status = run(*asked);
+    }
+  });
+}
+
+}  // namespace blysk::cli

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: Apache-2.0
+// blysk explore, as its user calls it.
+#include <algorithm>
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+
+#include "tb/catch.h"
+#include "tb/cli/test/program.h"
+
+namespace {
+
+using Catch::Contains;
+using json = nlohmann::ordered_json;
+
+/// Rows of the first device in a folder: cost and one error on each domain.
+void write_row(const scratch& folder, const std::string& format, int lut, double area, double error) {
+  const json from{{"digest", "sha256:0"}, {"tools", {{"yosys", "Yosys 1"}}}, {"script", "synth"}};
+  json cost{{"device", kDevice}, {"format", format}, {"options", json::object()}};
+  cost["ice40"] = from;
+  for (const char* key : {"carry", "ff", "dsp", "ram_bits"}) cost["ice40"][key] = 0;
+  cost["ice40"]["lut"] = lut;
+  cost["hx8k"] = from;
+  cost["hx8k"].update({{"part", "x"}, {"seeds", {1, 2}}, {"fmax_mhz", {50.0, 4e4 / lut}}});
+  cost["osu018"] = from;
+  cost["osu018"].update({{"cells", 1}, {"area_nand2", area}, {"path_ns", 10.0}});
+  json errors{{"device", kDevice}, {"format", format}, {"options", json::object()}};
+  for (const char* domain :
+       {"whole", "lobe", "epicentre", "epicentre-0.60", "epicentre-0.56", "epicentre-inflection", "sphere"}) {
+    json& of = errors["domains"][domain];
+    of = {{"status", "exhaustive"}, {"points", 10},         {"max_abs_n", 1},
+          {"relative_points", 9},   {"ulps", {1, 2, 3, 4}}, {"falls", 0}};
+    for (const char* key : {"max_abs_err", "max_abs_cos", "mean_abs_err", "bias", "rms_err",
+                            "error_probability", "max_rel_err", "mean_rel_err", "nmse"})
+      of[key] = error;
+    of["max_step"] = 3;
+  }
+  fs::create_directories(folder.path("rows"));
+  folder.write("rows/cost_" + format + ".json", cost.dump(2));
+  folder.write("rows/errors_" + format + ".json", errors.dump(2));
+}
+
+std::string rows_in(const scratch& folder) {
+  return " --measured " + quoted(folder.path("rows"));
+}
+
+}  // namespace
+
+TEST_CASE("explore answers from the rows that it was built with, at once", "[explore]") {
+  const scratch folder;
+  const outcome table = run_blysk(folder, "explore");
+  CHECK(table.status == 0);
+  CHECK_THAT(table.out, Contains("max_abs_err, lobe"));
+  const outcome all = run_blysk(folder, "explore --json");
+  REQUIRE(all.status == 0);
+  const json rows = json::parse(all.out);
+  REQUIRE(rows.is_array());
+  for (const json& row : rows) {
+    CHECK(row.contains("domain"));
+    CHECK(row["command"].get<std::string>().find("scripts/synth " + row["device"].get<std::string>()) == 0);
+  }
+}
+
+TEST_CASE("explore finds what is cheapest within a tolerance", "[explore]") {
+  const scratch folder;
+  write_row(folder, "q8", 1000, 4000, 0.5);
+  write_row(folder, "q12", 2000, 3000, 0.1);
+  const std::string from = "explore --domain lobe" + rows_in(folder);
+  const outcome found = run_blysk(folder, from + " --tolerance 0.5 --metric rms_err --target ice40 --json");
+  CAPTURE(found.err);
+  REQUIRE(found.status == 0);
+  const json chosen = json::parse(found.out);
+  CHECK(chosen["cheapest"]["format"] == "q8");
+  REQUIRE(chosen["neighbours"].size() == 1);
+  CHECK(chosen["neighbours"][0]["format"] == "q12");
+  CHECK(chosen["neighbours"][0]["side"] == "better");
+  CHECK(chosen["cheapest"]["is_stale"] == true);  // no Verilog has this digest
+  CHECK(json::parse(
+            run_blysk(folder, from + " --tolerance 0.5 --target asic --json").out)["cheapest"]["format"] ==
+        "q12");
+
+  const outcome text = run_blysk(folder, from + " --tolerance 5e-1 --target asic --clock 100MHz");
+  CHECK(text.status == 0);
+  CHECK_THAT(text.out,
+             Contains("cheapest   " + kDevice + " q12: max_abs_err 0.1, 3000 NAND2") &&
+                 Contains("scripts/synth " + kDevice + " q12 && build/bin/blysk explore --measure"));
+  CHECK(run_blysk(folder, from + " --tolerance 0.5 --clock 41MHz --json").status ==
+        1);  // q8 has a seed with 40
+  const outcome none = run_blysk(folder, from + " --tolerance 0.01");
+  CHECK(none.status == 1);
+  CHECK_THAT(none.out,
+             Contains("none: no measured configuration has max_abs_err <= 0.01") && Contains("nearest"));
+}
+
+TEST_CASE("explore prints tables, CSV and a page", "[explore]") {
+  const scratch folder;
+  write_row(folder, "q8", 1000, 4000, 0.5);
+  const std::string from = "explore" + rows_in(folder);
+  const outcome table = run_blysk(folder, from);
+  CHECK_THAT(table.out, Contains("0.5  1000") && Contains("stale"));
+  CHECK_THAT(table.err, Contains("blysk: 1 rows are stale"));
+  CHECK_THAT(run_blysk(folder, from + " --markdown").out, Contains("| " + kDevice + " q8 | 0.5 | 1000 |"));
+  const std::string csv = run_blysk(folder, from + " --csv --domain sphere").out;
+  CHECK(std::count(csv.begin(), csv.end(), '\n') == 2);
+  CHECK(run_blysk(folder, from + " --html " + quoted(folder.path("page.html"))).status == 0);
+  CHECK_THAT(slurp(folder.path("page.html")), Contains("\"lut\":1000") && Contains("</html>"));
+}
+
+TEST_CASE("explore refuses bad use and bad files in one line", "[explore]") {
+  const scratch folder;
+  write_row(folder, "q8", 1000, 4000, 0.5);
+  const std::string row = slurp(folder.path("rows/cost_q8.json"));
+  const auto fails = [&](const std::string& arguments, const std::string& message) {
+    const outcome failed = run_blysk(folder, "explore " + arguments);
+    CAPTURE(arguments, failed.out, failed.err);
+    CHECK(failed.status == 2);
+    CHECK(failed.out.empty());
+    CHECK(failed.err.starts_with("blysk: "));
+    CHECK_THAT(failed.err, Contains(message));
+    CHECK(std::count(failed.err.begin(), failed.err.end(), '\n') == 1);
+  };
+  for (const char* tolerance : {"0", "nan", "-1", "inf", "x", "''"})
+    fails("--tolerance " + std::string(tolerance), "expected a number above zero");
+  fails("--tolerance 1 --metric worst", "metric worst does not exist, expected max_abs_err");
+  fails("--tolerance 1 --target ecp5", "target ecp5 does not exist");
+  fails("--tolerance 1 --domain all", "domain all does not exist");
+  fails("--tolerance 1 --clock 50kHz", "--clock is 50kHz, expected a number above zero such as 50MHz");
+  fails("--metric worst", "metric worst does not exist");
+  fails("--clock 50MHz", "expected --tolerance with it");
+  fails("--device nothing", "device nothing does not exist");
+  fails("--format q9", "format q9 does not exist");
+  fails("--json --csv", "see blysk --help");
+  fails("--shard 1/2", "expected ranges of word lengths");
+  fails("--cos 8 --shard 3/2", "--shard is 3/2");
+  fails("--cos 12..8", "--cos is 12..8");
+  fails("--cos 8 --square 20", "no combination of these word lengths fits");
+  fails("--cos 8 --html x.html", "rows that are measured now have no cost");
+  fails("--measured " + quoted(folder.path("none")), "none: is no folder");
+  fs::create_directory(folder.path("empty"));
+  fails("--measured " + quoted(folder.path("empty")), "holds no measured rows");
+  fails("--html " + quoted(folder.path("no/page.html")), "cannot be written");
+  fails("merge " + quoted(folder.path("empty")) + " --output " + quoted(folder.path("to")),
+        "has no sweep.json");
+  folder.write("rows/cost_q8.json", row.substr(0, row.size() - 20));
+  fails(rows_in(folder), "cost_q8.json:");
+  folder.write("rows/cost_q8.json", "{}");
+  fails(rows_in(folder), "cost_q8.json: is damaged");
+  std::string other = row;
+  other.replace(other.find("\"q8\""), 4, "\"q9\"");
+  folder.write("rows/cost_q8.json", other);
+  fails(rows_in(folder), "cost_q8.json: is no row of this program: format q9 does not exist");
+}
+
+TEST_CASE("explore measures errors at word lengths of one's own", "[explore]") {
+  const scratch folder;
+  const std::string format = "explore --measure --format q8 --domain whole --json";
+  const json named = json::parse(run_blysk(folder, format).out);
+  REQUIRE(named.size() == 1);
+  CHECK(named[0]["points"] == 257000);
+  // Its own command repeats the row.
+  const std::string command = named[0]["command"];
+  const std::string arguments = command.substr(command.find("explore"));
+  CHECK(json::parse(run_blysk(folder, arguments + " --domain whole --json").out) == named);
+  const outcome table = run_blysk(folder, arguments + " --csv --domain whole");
+  CHECK(std::count(table.out.begin(), table.out.end(), '\n') == 2);
+}
+
+TEST_CASE("a sweep that was killed goes on with nothing lost", "[explore]") {
+  const scratch folder;
+  const std::string to = folder.path("sweep");
+  const std::string sweep = "explore --cos 8..11 --domain whole --csv";
+  const std::string whole = run_blysk(folder, sweep).out;
+  // Killed as soon as the second row is there.
+  const std::string script =
+      folder.write("kill.sh", quoted(BLYSK_PROGRAM) + " " + sweep + " --output " + quoted(to) +
+                                  " >/dev/null 2>&1 &\n" + "until [ \"$(ls " + quoted(to) +
+                                  " 2>/dev/null | wc -l)\" -ge 3 ]; do sleep 0.02; done\n" +
+                                  "kill -KILL $!\nwait 2>/dev/null\ntrue\n");
+  REQUIRE(std::system(("bash " + quoted(script)).c_str()) == 0);
+  const auto rows_there = [&] {
+    return std::count_if(fs::directory_iterator(to), fs::directory_iterator(), [](const auto& entry) {
+      return entry.path().filename().string().starts_with("co");
+    });
+  };
+  REQUIRE(rows_there() >= 2);
+  const outcome again = run_blysk(folder, sweep + " --output " + quoted(to));
+  CAPTURE(again.err);
+  CHECK(again.status == 0);
+  CHECK(again.out == whole);
+  CHECK(rows_there() == 4);
+}

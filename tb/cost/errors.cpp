@@ -1,0 +1,301 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/cost/errors.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <mutex>
+#include <numeric>
+#include <span>
+#include <stdexcept>
+#include <thread>
+
+#include "tb/cost/error_sums.h"
+#include "tb/golden/errors.h"
+#include "tb/golden/sphere.h"
+#include "tb/specular/specular.h"
+#include "tb/usage_error.h"
+
+namespace blysk::cost {
+namespace {
+
+constexpr std::size_t kBlock = 4096;        // points whose columns stay in the cache
+constexpr std::size_t kChunk = 8 * kBlock;  // points whose sums are added up together, whatever the threads
+
+/// Cosines in increasing order, with the codes that stand for them.
+struct point_list {
+  std::vector<std::uint32_t> codes;
+  std::vector<double> cosines;
+  std::size_t size = 0;
+  bool is_grid = true;  // every code, and no vectors
+
+  std::uint32_t code(std::size_t i) const { return is_grid ? static_cast<std::uint32_t>(i) : codes[i]; }
+};
+
+point_list grid_of(int bits) {
+  return {{}, {}, (std::size_t{1} << bits) + 1, true};
+}
+
+/// The cosines N.H of the sphere's lit pixels.
+point_list sphere_of(int bits) {
+  point_list points{{}, {}, 0, false};
+  const golden::sphere_scene scene;
+  const auto half = golden::half_vector(scene.light, scene.view);
+  for (const auto& [x, y, normal] : golden::sphere_pixels(scene)) {
+    if (golden::faces_both(normal, scene.light, scene.view))
+      points.cosines.push_back(golden::clamped_cosine(normal, half));
+  }
+  std::ranges::sort(points.cosines);
+  for (const double c : points.cosines)
+    points.codes.push_back(static_cast<std::uint32_t>(std::llround(std::ldexp(c, bits))));
+  points.size = points.cosines.size();
+  return points;
+}
+
+/// Where the epicentres begin at each n.
+struct edges {
+  static constexpr std::size_t kCount = golden::kEpicentres.size() + 1;  // the widest, then the three
+
+  explicit edges(int first_n, int last_n) {
+    for (int n = first_n; n <= last_n; ++n) {
+      std::array<double, kCount>& row = of_n.emplace_back();
+      for (std::size_t e = 0; e < golden::kEpicentres.size(); ++e) {
+        // cos = 0 is in none, although the inflection point of n = 1 lies there.
+        row[1 + e] =
+            std::max(golden::epicentre_edge(golden::kEpicentres[e], n), std::numeric_limits<double>::min());
+      }
+      row[0] = *std::min_element(row.begin() + 1, row.end());
+    }
+  }
+  std::vector<std::array<double, kCount>> of_n;
+};
+
+using chunk_sums = std::array<error_sums, kDomains.size()>;
+
+error_sums& in(chunk_sums& sums, domain which) {
+  return sums[static_cast<std::size_t>(which)];
+}
+
+/// A block of points at one n after another.
+class block_meter {
+ public:
+  block_meter(const judged& of, const point_list& points, const edges& epicentres)
+      : of_(of), points_(points), epicentres_(epicentres), model_(of.make()), in_(of.stimulus) {
+    const auto exponents = static_cast<std::size_t>(of.last_n) - static_cast<std::size_t>(of.first_n) + 1;
+    last_.resize(exponents);
+    for (std::size_t channel = specular::kRed; channel <= specular::kBlue; ++channel)
+      set_column(channel, kBlock, 0);
+  }
+
+  chunk_sums measure(std::size_t first, std::size_t last) {
+    chunk_sums sums{};
+    std::ranges::fill(last_, -std::numeric_limits<double>::infinity());
+    if (first > 0) seed(first - 1);
+    for (std::size_t begin = first; begin < last; begin += kBlock)
+      measure_block(begin, std::min(kBlock, last - begin), sums);
+    return sums;
+  }
+
+ private:
+  template <class T>
+  void set_column(std::size_t index, std::size_t size, T value) {
+    in_[index].resize(size);
+    in_[index].visit([&](auto& of) {
+      std::ranges::fill(of, static_cast<typename std::decay_t<decltype(of)>::value_type>(value));
+    });
+  }
+
+  void set_cosines(std::size_t begin, std::size_t size) {
+    in_.resize(size);
+    in_[specular::kCos].visit([&](auto& codes) {
+      for (std::size_t i = 0; i < size; ++i)
+        codes[i] = static_cast<typename std::decay_t<decltype(codes)>::value_type>(points_.code(begin + i));
+    });
+    cosines_.resize(size);
+    for (std::size_t i = 0; i < size; ++i)
+      cosines_[i] = points_.is_grid ? std::ldexp(static_cast<double>(begin + i), -of_.cos_bits)
+                                    : points_.cosines[begin + i];
+  }
+
+  /// The device's results at n for the cosines that are set, in ulp.
+  void run(int n, std::size_t size) {
+    set_column(specular::kN, size, n);
+    model_->run(in_, out_);
+    device_.resize(size);
+    out_[specular::kBrdf].visit([&](const auto& brdf) {
+      for (std::size_t i = 0; i < size; ++i) device_[i] = static_cast<double>(brdf[i]);
+    });
+  }
+
+  /// The results before the chunk, for its first step.
+  void seed(std::size_t index) {
+    set_cosines(index, 1);
+    for (std::size_t k = 0; k < last_.size(); ++k) {
+      run(of_.first_n + static_cast<int>(k), 1);
+      last_[k] = device_[0];
+    }
+  }
+
+  void measure_block(std::size_t begin, std::size_t size, chunk_sums& sums) {
+    set_cosines(begin, size);
+    power_.assign(size, 1);
+    rest_.assign(size, 0);
+    for (int n = 1; n <= of_.last_n; ++n) {
+      multiply(cosines_, power_, rest_);
+      if (n >= of_.first_n) measure_at(n, size, sums);
+    }
+  }
+
+  void measure_at(int n, std::size_t size, chunk_sums& sums) {
+    const auto row = static_cast<std::size_t>(n - of_.first_n);
+    run(n, size);
+    const point_block block{n, of_.cos_bits, cosines_, power_, device_, last_[row]};
+    last_[row] = device_.back();
+    if (!points_.is_grid) return add_points(block, 0, size, in(sums, domain::sphere));
+    add_points(block, 0, size, in(sums, domain::whole));
+    add_lit_points(block, in(sums, domain::lobe));
+    for (std::size_t e = 0; e < edges::kCount; ++e) {
+      const auto from = std::ranges::lower_bound(cosines_, epicentres_.of_n[row][e]) - cosines_.begin();
+      add_points(block, static_cast<std::size_t>(from), size,
+                 in(sums, static_cast<domain>(static_cast<std::size_t>(domain::epicentre) + e)));
+    }
+  }
+
+  const judged& of_;
+  const point_list& points_;
+  const edges& epicentres_;
+  std::unique_ptr<engine> model_;
+  columns in_, out_;
+  std::vector<double> cosines_, power_, rest_, device_;
+  std::vector<double> last_;  // the device's result at the cosine before, for each n
+};
+
+/// The chunks of all point lists, measured by threads in any order and added up in theirs.
+error_table add_up(const std::vector<chunk_sums>& chunks) {
+  error_table table;
+  for (std::size_t d = 0; d < kDomains.size(); ++d) {
+    error_sums all;
+    for (const chunk_sums& chunk : chunks) all += chunk[d];
+    table[d] = all.result();
+  }
+  return table;
+}
+
+}  // namespace
+
+domain find_domain(const std::string& name) {
+  const auto found = std::ranges::find(kDomains, name, &named_domain::name);
+  if (found != kDomains.end()) return found->which;
+  std::string names;
+  for (const named_domain& each : kDomains)
+    names += fmt::format("{}{}", names.empty() ? "" : ", ", each.name);
+  throw std::invalid_argument(fmt::format("domain {} does not exist, expected {}", name, names));
+}
+
+judged judge(const selection& asked) {
+  if (dynamic_cast<const specular::device_of_points*>(&asked.of()) == nullptr) {
+    throw std::invalid_argument(fmt::format(
+        "device {} has no BRDF of n and cos, expected one that shades points", asked.of().name()));
+  }
+  return {[asked] { return asked.of().make_bit(asked); },
+          columns(asked.of().ports(asked), port::role::data).layout(), asked.fraction()};
+}
+
+judged judge(const selection& asked, const word_lengths& bits) {
+  judged of = judge(asked);
+  of.make = [asked, bits] { return asked.of().make_bit(asked, bits); };
+  of.make();  // refuses word lengths here and not in a thread
+  of.cos_bits = bits.at("cos");
+  of.stimulus[specular::kCos] = storage::u32;
+  return of;
+}
+
+error_table measure_errors(const judged& of, int threads, const std::function<void(double)>& advanced) {
+  const edges epicentres(of.first_n, of.last_n);
+  const std::array lists{grid_of(of.cos_bits), sphere_of(of.cos_bits)};
+  struct chunk {
+    const point_list* points;
+    std::size_t first, last;
+  };
+  std::vector<chunk> chunks;
+  for (const point_list& points : lists) {
+    for (std::size_t first = 0; first < points.size; first += kChunk)
+      chunks.push_back({&points, first, std::min(points.size, first + kChunk)});
+  }
+  std::vector<chunk_sums> sums(chunks.size());
+  std::atomic<std::size_t> next = 0;
+  std::size_t done = 0;
+  std::mutex one_at_a_time;
+  const auto work = [&] {
+    for (std::size_t i = next++; i < chunks.size(); i = next++) {
+      sums[i] = block_meter(of, *chunks[i].points, epicentres).measure(chunks[i].first, chunks[i].last);
+      const std::lock_guard lock(one_at_a_time);
+      ++done;
+      if (advanced) advanced(static_cast<double>(done) / static_cast<double>(chunks.size()));
+    }
+  };
+  std::vector<std::jthread> others;
+  for (int i = 1; i < threads; ++i) others.emplace_back(work);
+  work();
+  others.clear();
+  return add_up(sums);
+}
+
+namespace {
+
+double six_digits(double value) {
+  return std::stod(fmt::format("{:.6g}", value));
+}
+
+}  // namespace
+
+nlohmann::ordered_json json_of(const error_table& table) {
+  nlohmann::ordered_json domains;
+  for (const named_domain& each : kDomains) {
+    const errors& e = table[static_cast<std::size_t>(each.which)];
+    domains[std::string(each.name)] = {{"status", "exhaustive"},
+                                       {"points", e.points},
+                                       {"max_abs_err", six_digits(e.max_abs_err)},
+                                       {"max_abs_n", e.max_abs_n},
+                                       {"max_abs_cos", e.max_abs_cos},
+                                       {"mean_abs_err", six_digits(e.mean_abs_err)},
+                                       {"bias", six_digits(e.bias)},
+                                       {"rms_err", six_digits(e.rms_err)},
+                                       {"error_probability", six_digits(e.error_probability)},
+                                       {"max_rel_err", six_digits(e.max_rel_err)},
+                                       {"mean_rel_err", six_digits(e.mean_rel_err)},
+                                       {"relative_points", e.relative_points},
+                                       {"ulps", e.ulps},
+                                       {"falls", e.falls},
+                                       {"nmse", six_digits(e.nmse)},
+                                       {"max_step", e.max_step}};
+  }
+  return domains;
+}
+
+error_table parse_errors(const std::string& path, const nlohmann::ordered_json& domains) {
+  error_table table;
+  try {
+    for (const named_domain& each : kDomains) {
+      const auto& of = domains.at(std::string(each.name));
+      if (of.at("status") != "exhaustive") throw std::domain_error("status is not exhaustive");
+      table[static_cast<std::size_t>(each.which)] = {
+          of.at("points"),       of.at("max_abs_err"),  of.at("max_abs_n"),       of.at("max_abs_cos"),
+          of.at("mean_abs_err"), of.at("bias"),         of.at("rms_err"),         of.at("error_probability"),
+          of.at("max_rel_err"),  of.at("mean_rel_err"), of.at("relative_points"), of.at("ulps"),
+          of.at("falls"),        of.at("nmse"),         of.at("max_step")};
+    }
+  } catch (const nlohmann::json::exception&) {
+    throw file_error(path, 0,
+                     "is damaged: a key is missing or of another type, expected errors as blysk writes them");
+  } catch (const std::domain_error& error) {
+    throw file_error(path, 0,
+                     fmt::format("is damaged: {}, expected errors as blysk writes them", error.what()));
+  }
+  return table;
+}
+
+}  // namespace blysk::cost

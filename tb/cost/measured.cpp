@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/cost/measured.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "tb/cost/digest.h"
+#include "tb/usage_error.h"
+
+namespace blysk::cost {
+namespace {
+
+namespace fs = std::filesystem;
+using json = nlohmann::ordered_json;
+
+struct named_text {
+  std::string path, text;
+};
+
+/// \param name  "cost_q8.json"
+bool is_row(const std::string& name) {
+  return name.ends_with(".json") && (name.starts_with("cost_") || name.starts_with("errors_"));
+}
+
+constexpr const char* kHostTimes = "host_times.json";
+
+std::vector<named_text> texts_of(const std::string& folder) {
+  std::vector<named_text> texts;
+  if (folder.empty()) {
+    for (const measured_file& each : embedded_files())
+      texts.push_back({std::string(each.path), std::string(each.text)});
+    return texts;
+  }
+  if (!fs::is_directory(folder)) throw file_error(folder, 0, "is no folder, expected one with measured rows");
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    if (entry.is_regular_file() && (is_row(name) || name == kHostTimes))
+      texts.push_back({entry.path().string(), read_text(entry.path())});
+  }
+  if (texts.empty())
+    throw file_error(folder, 0, "holds no measured rows, expected cost_*.json or errors_*.json");
+  std::ranges::sort(texts, {}, &named_text::path);
+  return texts;
+}
+
+/// The configuration of a row, a new one if there is none yet.
+/// \throws usage_error if the program has no such device, format or option
+configuration& find_or_add(std::vector<configuration>& all, const std::string& path,
+                           const std::string& device, const std::string& format,
+                           const std::map<std::string, std::string>& options) {
+  const auto found = std::ranges::find_if(all, [&](const configuration& each) {
+    return each.asked.of().name() == device && each.asked.format() == format &&
+           given_options(each.asked) == options;
+  });
+  if (found != all.end()) return *found;
+  try {
+    return all.emplace_back(choose(device, format, options));
+  } catch (const std::invalid_argument& error) {
+    throw file_error(path, 0, fmt::format("is no row of this program: {}", error.what()));
+  }
+}
+
+void add_errors(std::vector<configuration>& all, const named_text& file) {
+  const json row = parse_json(file.path, file.text);
+  try {
+    configuration& of = find_or_add(all, file.path, row.at("device"), row.at("format"), row.at("options"));
+    of.errors = parse_errors(file.path, row.at("domains"));
+  } catch (const json::exception&) {
+    throw file_error(
+        file.path, 0,
+        "is damaged: a key is missing or of another type, expected a row of the target update_errors");
+  }
+}
+
+void add_host_times(std::vector<configuration>& all, const named_text& file) {
+  const json times = parse_json(file.path, file.text);
+  try {
+    for (const json& row : times.at("rows")) {
+      for (configuration& each : all) {
+        if (each.asked.of().name() != row.at("device") || each.asked.format() != row.at("format") ||
+            !each.asked.is_preset())
+          continue;
+        each.host[row.at("engine")] = {row.at("seconds"), row.at("ratio")};
+      }
+    }
+  } catch (const json::exception&) {
+    throw file_error(
+        file.path, 0,
+        "is damaged: a key is missing or of another type, expected what the target update_host_times writes");
+  }
+}
+
+std::size_t place_of(const std::string& format) {
+  return static_cast<std::size_t>(std::ranges::find(format_names, format) - std::begin(format_names));
+}
+
+std::size_t place_of(const device& of) {
+  return static_cast<std::size_t>(std::ranges::find(devices(), &of) - devices().begin());
+}
+
+/// The part was measured of another Verilog.
+template <class Part>
+bool differs(const std::optional<Part>& part, const std::string& digest) {
+  return part && part->from.digest != digest;
+}
+
+}  // namespace
+
+int configuration::cycles_per_result() const {
+  const std::vector<port> ports = asked.of().ports(asked);
+  const bool trails = std::ranges::any_of(ports, [](const port& each) {
+    return each.is == port::role::strobe && each.edge == write_edge::trailing;
+  });
+  return latency_cycles() + (trails ? 1 : 0);
+}
+
+int configuration::latency_cycles() const {
+  int settling = 0;
+  for (const port& each : asked.of().ports(asked)) {
+    if (each.is == port::role::valid) settling = each.settling_cycles;
+  }
+  return 1 + settling;
+}
+
+double configuration::ice40_mhz() const {
+  return cost.hx8k ? cost.hx8k->least() : 0;
+}
+
+double configuration::asic_mhz() const {
+  return cost.osu018 ? 1e3 / cost.osu018->path_ns : 0;
+}
+
+namespace {
+
+std::string words_of(const std::map<std::string, std::string>& options) {
+  std::string words;
+  for (const auto& [name, value] : options)
+    words += fmt::format(" --{}{}", name, value == "on" ? "" : " " + value);
+  return words;
+}
+
+}  // namespace
+
+std::string configuration::command() const {
+  const std::string words = words_of(given_options(asked));
+  return fmt::format(
+      "scripts/synth {0} {1}{2} && build/bin/blysk explore --measure --device {0} --format {1}{2}",
+      asked.of().name(), asked.format(), words);
+}
+
+std::string configuration::label() const {
+  std::string text = asked.of().name() + " " + asked.format();
+  for (const auto& [name, value] : given_options(asked))
+    text += value == "on" ? fmt::format(", {}", name) : fmt::format(", {} {}", name, value);
+  return text;
+}
+
+std::vector<configuration> read_measured(const std::string& folder) {
+  std::vector<configuration> all;
+  const std::vector<named_text> texts = texts_of(folder);
+  for (const named_text& file : texts) {
+    const std::string name = fs::path(file.path).filename().string();
+    if (name.starts_with("cost_")) {
+      cost_row row = parse_cost_row(file.path, file.text);
+      configuration& of = find_or_add(all, file.path, row.device, row.format, row.options);
+      of.cost = std::move(row);
+    } else if (name.starts_with("errors_")) {
+      add_errors(all, file);
+    }
+  }
+  for (const named_text& file : texts) {
+    if (fs::path(file.path).filename() == kHostTimes) add_host_times(all, file);
+  }
+  std::ranges::stable_sort(all, {}, [](const configuration& each) {
+    return std::tuple(place_of(each.asked.of()), given_options(each.asked), place_of(each.asked.format()));
+  });
+  return all;
+}
+
+void look_for_stale(std::vector<configuration>& all) {
+  std::vector<selection> asked;
+  std::ranges::transform(all, std::back_inserter(asked), &configuration::asked);
+  const std::vector<std::string> digests = exported_digests(asked);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    configuration& each = all[i];
+    each.digest = digests[i];
+    each.is_stale = differs(each.cost.ice40, each.digest) || differs(each.cost.ice40_dsp, each.digest) ||
+                    differs(each.cost.hx8k, each.digest) || differs(each.cost.osu018, each.digest);
+  }
+}
+
+}  // namespace blysk::cost

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The measured files: those of docs/tables that are part of the program since it was built, or those of a folder.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tb/cost/cost_row.h"
+#include "tb/cost/errors.h"
+
+namespace blysk::cost {
+
+struct measured_file {
+  std::string_view path, text;
+};
+
+/// Made while building, see embed.cmake.
+std::span<const measured_file> embedded_files();
+std::span<const measured_file> embedded_pages();
+
+/// How long a computer takes for a million results.
+struct host_time {
+  double seconds = 0;
+  double ratio = 0;  ///< to as many cos^n by std::pow, measured beside it
+};
+
+/// A device in a format with options, and what was measured of it.
+struct configuration {
+  selection asked;
+  cost_row cost = {};  ///< parts that were not measured are not there
+  std::optional<error_table> errors = {};
+  std::map<std::string, host_time> host = {};  ///< by engine
+  std::string digest = {};                     ///< of the Verilog that is exported today; empty if none is
+  bool is_stale = false;                       ///< a part of the cost belongs to another Verilog
+
+  /// Clock cycles from the edge that takes the input to the one that confirms its results, and from one result to the
+  /// next.
+  int latency_cycles() const;
+  int cycles_per_result() const;
+
+  /// MHz that each seed reaches, or that the longest path allows; 0 if not measured.
+  double ice40_mhz() const;
+  double asic_mhz() const;
+
+  /// What a shell repeats the row by.
+  std::string command() const;
+
+  /// "quadratic-rom q8, rom clocked"
+  std::string label() const;
+};
+
+/// The configurations of all rows, in the order of devices and formats.
+/// \param folder  with the files, such as docs/tables; empty for the embedded ones
+/// \throws usage_error for a damaged file, or a folder that holds none
+std::vector<configuration> read_measured(const std::string& folder);
+
+/// Finds which rows are stale. It exports each device in a process of its own.
+void look_for_stale(std::vector<configuration>& all);
+
+}  // namespace blysk::cost

@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/cost/page.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <iterator>
+#include <optional>
+#include <set>
+#include <sstream>
+
+#include "tb/cost/table.h"
+#include "tb/usage_error.h"
+
+namespace blysk::cost {
+namespace {
+
+using words = std::vector<std::string>;
+using rows = std::vector<configuration>;
+
+constexpr const char* kNothing = "-";
+
+std::string line_of(const words& cells) {
+  std::string text;
+  for (const std::string& cell : cells) text += "| " + cell + " ";
+  return text + "|\n";
+}
+
+std::string head_of(const words& cells) {
+  std::string text = line_of(cells);
+  for (std::size_t i = 0; i < cells.size(); ++i) text += i == 0 ? "|---" : "|---:";
+  return text + "|\n";
+}
+
+rows in_formats(const rows& all, const words& formats) {
+  rows chosen;
+  std::ranges::copy_if(all, std::back_inserter(chosen), [&](const configuration& each) {
+    return std::ranges::find(formats, each.asked.format()) != formats.end();
+  });
+  return chosen;
+}
+
+const errors& errors_in(const configuration& of, domain where) {
+  return of.errors->at(static_cast<std::size_t>(where));
+}
+
+std::string rows_block(const rows& all, const words& formats) {
+  std::string text = head_of({"device", "LUT", "carry", "FF", "RAM blocks", "LUT + DSP", "HX8K, MHz",
+                              "10^6 results/s", "NAND2", "longest path, ns", "10^6 results/s", ""});
+  for (const configuration& each : in_formats(all, formats)) {
+    const cost_row& cost = each.cost;
+    if (!cost.ice40 && !cost.ice40_dsp && !cost.hx8k && !cost.osu018) continue;
+    const auto rate = [&](double mhz) {
+      return mhz > 0 ? fmt::format("{:.1f}", mhz / each.cycles_per_result()) : kNothing;
+    };
+    const auto cell = [&](bool is_there, auto value) {
+      return is_there ? fmt::format("{}", value()) : kNothing;
+    };
+    text += line_of(
+        {each.label(), cell(cost.ice40.has_value(), [&] { return cost.ice40->lut; }),
+         cell(cost.ice40.has_value(), [&] { return cost.ice40->carry; }),
+         cell(cost.ice40.has_value(), [&] { return cost.ice40->ff; }),
+         cell(cost.ice40.has_value(), [&] { return cost.ice40->ram_bits / 4096; }),
+         cell(cost.ice40_dsp.has_value(),
+              [&] { return fmt::format("{} + {}", cost.ice40_dsp->lut, cost.ice40_dsp->dsp); }),
+         cell(cost.hx8k.has_value(),
+              [&] {
+                return fmt::format("{:.1f} [{:.1f}..{:.1f}]", cost.hx8k->median(), cost.hx8k->least(),
+                                   cost.hx8k->most());
+              }),
+         rate(each.ice40_mhz()),
+         cell(cost.osu018.has_value(), [&] { return fmt::format("{:.0f}", cost.osu018->area_nand2); }),
+         cell(cost.osu018.has_value(), [&] { return fmt::format("{:.2f}", cost.osu018->path_ns); }),
+         rate(each.asic_mhz()), each.is_stale ? "stale" : ""});
+  }
+  return text;
+}
+
+std::string errors_block(const rows& all, const words& formats) {
+  std::string text =
+      head_of({"device", "domain", "largest", "at n", "at cos", "rms", "bias", "not rounded correctly",
+               "0 / 1 / 2 / more ulp", "largest relative", "NMSE", "8-bit steps", "falls"});
+  for (const configuration& each : in_formats(all, formats)) {
+    if (!each.errors) continue;
+    for (const named_domain& where : kDomains) {
+      const errors& e = errors_in(each, where.which);
+      const auto share = [&](std::uint64_t count) {
+        return number_text(100 * static_cast<double>(count) / static_cast<double>(e.points));
+      };
+      text += line_of({each.label(), std::string(where.name), number_text(e.max_abs_err),
+                       fmt::format("{}", e.max_abs_n), fmt::format("{:.6g}", e.max_abs_cos),
+                       number_text(e.rms_err), number_text(e.bias), share(e.points - e.ulps[0]) + " %",
+                       fmt::format("{} / {} / {} / {} %", share(e.ulps[0]), share(e.ulps[1]),
+                                   share(e.ulps[2]), share(e.ulps[3])),
+                       number_text(e.max_rel_err), number_text(e.nmse), fmt::format("{}", e.max_step),
+                       fmt::format("{}", e.falls)});
+    }
+  }
+  return text;
+}
+
+std::string front_block(const rows& all, const words& asked) {
+  const technology& in = find_technology(asked.at(0));
+  const metric& by = find_metric(asked.at(1));
+  const domain where = find_domain(asked.at(2));
+  std::string text =
+      head_of({"device", fmt::format("{}, {}", by.key, asked.at(2)), std::string(in.unit), "MHz", ""});
+  for (const configuration* each : front_of(all, by, where, in)) {
+    text += line_of(
+        {each->label(), number_text(by.of(errors_in(*each, where))), fmt::format("{:.0f}", *in.cost(*each)),
+         in.mhz(*each) > 0 ? fmt::format("{:.1f}", in.mhz(*each)) : kNothing, each->is_stale ? "stale" : ""});
+  }
+  return text;
+}
+
+/// A figure that two devices are compared by.
+struct compared {
+  const char* name;
+  bool is_smaller_better;
+  std::function<std::optional<double>(const configuration&)> of;
+};
+
+/// What two devices are compared by; the first of them says who is simpler.
+const std::vector<compared>& compared_figures() {
+  using figure = std::optional<double>;
+  using row = const configuration&;
+  static const std::vector<compared> all{
+      {"NAND2", true, [](row c) { return c.cost.osu018 ? figure(c.cost.osu018->area_nand2) : figure(); }},
+      {"path, ns", true, [](row c) { return c.cost.osu018 ? figure(c.cost.osu018->path_ns) : figure(); }},
+      {"LUT", true, [](row c) { return c.cost.ice40 ? figure(c.cost.ice40->lut) : figure(); }},
+      {"RAM blocks", true,
+       [](row c) { return c.cost.ice40 ? figure(c.cost.ice40->ram_bits / 4096) : figure(); }},
+      {"LUT with DSP", true,
+       [](row c) { return c.cost.ice40_dsp ? figure(c.cost.ice40_dsp->lut) : figure(); }},
+      {"DSP blocks", true, [](row c) { return c.cost.ice40_dsp ? figure(c.cost.ice40_dsp->dsp) : figure(); }},
+      {"HX8K, MHz", false, [](row c) { return c.cost.hx8k ? figure(c.cost.hx8k->median()) : figure(); }},
+  };
+  return all;
+}
+
+/// -1 if the first device is better, 1 if the second is, 0 if they are equal or one was not measured.
+int better_of(const compared& by, const configuration& first, const configuration& second) {
+  const std::optional<double> a = by.of(first);
+  const std::optional<double> b = by.of(second);
+  if (!a || !b || *a == *b) return 0;
+  return (*a < *b) == by.is_smaller_better ? -1 : 1;
+}
+
+std::string compare_block(const rows& all, const words& names) {
+  const std::vector<compared>& figures = compared_figures();
+  words head{fmt::format("{} / {}", names.at(0), names.at(1))};
+  for (const compared& each : figures) head.emplace_back(each.name);
+  std::string text = head_of(head);
+  std::vector<std::array<int, 2>> wins(figures.size());
+  for (const configuration& first : all) {
+    for (const configuration& second : all) {
+      if (first.asked.of().name() != names[0] || second.asked.of().name() != names[1] ||
+          !first.asked.is_preset() || first.asked.format() != second.asked.format())
+        continue;
+      if (std::ranges::none_of(figures, [&](const compared& by) { return by.of(first) && by.of(second); }))
+        continue;
+      const int simpler = better_of(figures.front(), first, second);
+      words cells{second.label().substr(names[1].size() + 1)};
+      for (std::size_t i = 0; i < figures.size(); ++i) {
+        const std::optional<double> a = figures[i].of(first);
+        const std::optional<double> b = figures[i].of(second);
+        const int better = better_of(figures[i], first, second);
+        if (better != 0) ++wins[i][better < 0 ? 0 : 1];
+        const std::string cell = a && b ? number_text(*a) + " / " + number_text(*b) : kNothing;
+        cells.push_back(better * simpler < 0 ? "**" + cell + "**" : cell);
+      }
+      text += line_of(cells);
+    }
+  }
+  words better{fmt::format("rows where {} / {} is better", names[0], names[1])};
+  for (const auto& [first, second] : wins) better.push_back(fmt::format("{} / {}", first, second));
+  return text + line_of(better);
+}
+
+std::string host_block(const rows& all, const words& formats) {
+  std::string text = head_of({"device", "golden", "bit", "systemc", "verilator"});
+  for (const configuration& each : in_formats(all, formats)) {
+    if (each.host.empty()) continue;
+    words cells{each.label()};
+    for (const char* engine : {"golden", "bit", "systemc", "verilator"}) {
+      const auto found = each.host.find(engine);
+      cells.push_back(found == each.host.end() ? kNothing : number_text(found->second.ratio));
+    }
+    text += line_of(cells);
+  }
+  return text;
+}
+
+std::string tools_block(const rows& all) {
+  std::set<std::pair<std::string, std::string>> tools;
+  const auto add = [&](const auto& part) {
+    if (!part) return;
+    tools.insert(part->from.tools.begin(), part->from.tools.end());
+  };
+  for (const configuration& each : all) {
+    add(each.cost.ice40);
+    add(each.cost.ice40_dsp);
+    add(each.cost.hx8k);
+    add(each.cost.osu018);
+  }
+  std::string text = "| tool | version |\n|---|---|\n";
+  for (const auto& [tool, version] : tools) text += line_of({tool, version});
+  return text;
+}
+
+std::string block_of(const std::string& path, std::size_t line, const words& asked, const rows& all) {
+  if (asked.empty())
+    throw file_error(path, line, "names no block, expected rows, errors, front, compare, host or tools");
+  const words rest(asked.begin() + 1, asked.end());
+  try {
+    if (asked[0] == "rows") return rows_block(all, rest);
+    if (asked[0] == "errors") return errors_block(all, rest);
+    if (asked[0] == "front") return front_block(all, rest);
+    if (asked[0] == "compare") return compare_block(all, rest);
+    if (asked[0] == "host") return host_block(all, rest);
+    if (asked[0] == "tools") return tools_block(all);
+  } catch (const std::out_of_range&) {
+    throw file_error(path, line, fmt::format("block {} has too few words", asked[0]));
+  } catch (const std::invalid_argument& error) {
+    throw file_error(path, line, error.what());
+  }
+  throw file_error(
+      path, line,
+      fmt::format("block {} is unknown, expected rows, errors, front, compare, host or tools", asked[0]));
+}
+
+}  // namespace
+
+std::string with_generated_blocks(const std::string& path, const std::string& page,
+                                  const std::vector<configuration>& all) {
+  constexpr std::string_view kBegin = "<!-- generated: ";
+  constexpr std::string_view kEnd = "<!-- end of generated -->";
+  std::string result;
+  std::istringstream lines(page);
+  std::size_t number = 0;
+  std::size_t begun = 0;  // line of the block that is skipped, 0 outside
+  for (std::string line; std::getline(lines, line);) {
+    ++number;
+    if (line == kEnd) {
+      if (begun == 0)
+        throw file_error(path, number, "ends a generated block, expected one that begins before");
+      begun = 0;
+    }
+    if (begun != 0) continue;
+    result += line + '\n';
+    if (!line.starts_with(kBegin) || !line.ends_with(" -->")) continue;
+    begun = number;
+    std::istringstream asked(
+        line.substr(kBegin.size(), line.size() - kBegin.size() - std::string_view(" -->").size()));
+    words parts;
+    for (std::string word; asked >> word;) parts.push_back(word);
+    result += block_of(path, number, parts, all);
+  }
+  if (begun != 0)
+    throw file_error(path, begun, fmt::format("begins a generated block, expected {} below", kEnd));
+  return result;
+}
+
+}  // namespace blysk::cost
