@@ -30,6 +30,7 @@ struct options {
   // what of them
   std::string metric = "max_abs_err", domain, target = "ice40", tolerance, clock;
   bool json = false, csv = false, markdown = false;
+  bool has_tolerance = false;  ///< also where it is given as ''
   std::string html;
   // what to measure now
   bool measures = false;
@@ -213,7 +214,7 @@ void print_sweep(const options& asked, const cost::sweep& of, const std::vector<
 }
 
 void measure(const options& asked) {
-  if (asked.markdown || !asked.html.empty() || !asked.tolerance.empty())
+  if (asked.markdown || !asked.html.empty() || asked.has_tolerance)
     throw usage_error("rows that are measured now have no cost, expected --json, --csv or a table");
   cost::sweep of = sweep_of(asked);
   if (!asked.format.empty()) {  // its word lengths, where no range is given
@@ -259,7 +260,7 @@ int run(const options& asked) {
     throw usage_error(
         "--output and --shard are of a sweep, expected ranges of word lengths or --measure with them");
   const std::vector<cost::configuration> rows = measured_rows(asked);
-  if (!asked.tolerance.empty()) return answer(asked, rows);
+  if (asked.has_tolerance) return answer(asked, rows);
   if (!asked.clock.empty())
     throw usage_error("--clock is a condition on what is cheapest, expected --tolerance with it");
   print_table(asked, rows);
@@ -298,7 +299,8 @@ void add_explore(CLI::App& program, int& status) {
   for (const cost::named_domain& each : cost::kDomains)
     names += fmt::format("{}{}: {}", names.empty() ? "" : "; ", each.name, each.what);
   verb->add_option("--domain", asked->domain, names + " (default: lobe, with --json, --csv and --html all)");
-  verb->add_option("--tolerance", asked->tolerance, "print what is cheapest with an error of at most this");
+  verb->add_option("--tolerance", asked->tolerance, "print what is cheapest with an error of at most this")
+      ->each([asked](const std::string&) { asked->has_tolerance = true; });
   names.clear();
   for (const cost::technology& each : cost::technologies())
     names += fmt::format("{}{}: {} in {}", names.empty() ? "" : "; ", each.name, each.unit, each.what);

@@ -17,4 +17,7 @@ void add_vectors(CLI::App& program);
 void add_check(CLI::App& program, int& status);
 void add_explore(CLI::App& program, int& status);
 
+/// \param status  becomes the program's exit status
+void add_explore(CLI::App& program, int& status);
+
 }  // namespace blysk::cli

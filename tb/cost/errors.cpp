@@ -84,7 +84,7 @@ class block_meter {
  public:
   block_meter(const judged& of, const point_list& points, const edges& epicentres)
       : of_(of), points_(points), epicentres_(epicentres), model_(of.make()), in_(of.stimulus) {
-    const auto exponents = static_cast<std::size_t>(of.last_n - of.first_n + 1);
+    const auto exponents = static_cast<std::size_t>(of.last_n) - static_cast<std::size_t>(of.first_n) + 1;
     last_.resize(exponents);
     for (std::size_t channel = specular::kRed; channel <= specular::kBlue; ++channel)
       set_column(channel, kBlock, 0);

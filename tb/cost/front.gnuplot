@@ -31,7 +31,7 @@ label(panel) = panel == 1 ? 'iCE40: LUT' : panel == 2 ? 'OSU018: ns a result' : 
 cost(panel) = panel == 1 ? '$at["lut"]' : panel == 2 ? '($at["results_per_s_asic"] > 0 ? 1e9 / $at["results_per_s_asic"] : 0)' \
   : panel == 3 ? '$at["area_nand2"]' : host('bit')
 set autoscale noextend
-set offsets graph 0.06, graph 0.1, graph 0.1, graph 0.1
+set offsets graph 0.06, graph 0.1, graph 0.1, graph 0.17
 set format xy '%g'
 # What is close together needs no logarithm.
 spread = real(system("awk -F, '" . row . ' { y = $at["' . metric . '"]; y = y < 0 ? -y : y; if (y > 0) { if (!low || y < low) low = y; ' \

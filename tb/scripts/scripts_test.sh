@@ -262,7 +262,7 @@ END
     ! ${command/--timescale 1ns\/1ps/} -Wno-PINMISSING tb.v 2>error || fail 'it is not needed'
     grep -q TIMESCALEMOD error
     # In a path without a blank, which Verilator's lists do not take.
-    cp -R "${folders[0]}" "$folder/../rtl_elsewhere"
+    cp -R "$source/rtl_verilog/${top#blysk_}" "$folder/../rtl_elsewhere"
     (cd / && verilator --lint-only -Wall -F "$(readlink -f "$folder/..")/rtl_elsewhere/$top.f") || fail 'the list cannot be read from another folder'
     ;;
   line_ends)

@@ -15,7 +15,7 @@ cat >"$work/reader.html" <<'PAGE'
 window.onerror = message => { document.getElementById("seen").textContent += "error " + message + "\n"; };
 const see = (what, value) => { document.getElementById("seen").textContent += what + " " + value + "\n"; };
 const circles = () => [...document.querySelectorAll("circle")];
-const shown = rows.filter(row => row.domain === "lobe" && row.lut && row.max_abs_err);
+const shown = rows.filter(row => row.domain === "sphere" && row.lut && row.max_abs_err);
 see("rows", shown.length === circles().length && shown.length > 0);
 circles()[0].dispatchEvent(new MouseEvent("mouseenter"));
 see("tip", getComputedStyle(document.getElementById("tip")).display + " " + document.getElementById("tip").textContent.split("\n")[1].trim());
@@ -39,7 +39,7 @@ sed -n '/<pre id="seen">/,/<\/pre>/p' "$work/dom" | sed 's/<pre id="seen">//' >"
 cat "$work/seen"
 if grep -q '^error' "$work/seen"; then exit 1; fi
 grep -qx 'rows true' "$work/seen"
-grep -q '^tip block lobe, exhaustive, [0-9]* points' "$work/seen"
+grep -q '^tip block sphere, exhaustive, [0-9]* points' "$work/seen"
 grep -qx 'gone none' "$work/seen"
 grep -qx 'moved true' "$work/seen"
 grep -qx 'places true' "$work/seen"
