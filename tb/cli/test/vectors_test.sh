@@ -52,8 +52,8 @@ case $case in
     found '*.v' "1'd1)) carry28" "1'd0)) carry28"
     found '*.v' '.b_i(g_ks), .p_o(g_o)' '.b_i(r_ks), .p_o(g_o)'
     found '*.v' '.a_i(brdf), .b_i(b_ks)' '.a_i(cos_delta), .b_i(b_ks)'
-    found '*_quantise_*.v' "+ 19'd1" "+ 19'd0"
-    found '*_quantise_*.v' "? 9'd0 :" "? 9'd1 :"
+    found '*_quantise_*.v' "+ 34'd32768" "+ 34'd0"
+    found '*_quantise_*.v' "shifted[17] ? 9'd0 :" "shifted[17] ? 9'd1 :"
     found '*_inverter_bank_*.v' '~{' '{'
     found '*_reg_trailing_*.v' 'we_q && !we_i' '!we_q && we_i'
     found '*_reg_level_uq8_0.v' 'else if (we_i)' 'else if (!we_i)'
