@@ -8,6 +8,8 @@
 #     family             specular: the proofs of tb/specular/formal and the errors against c^n hold for it
 #     changed_reference  a sed command that spoils the inner result of reference.v, for family specular
 #     protocol           strobes, handshake, or none: nothing is written to it
+#     replayed           rows that Icarus repeats, 3000
+#     beside             formats whose ports beside the enumerated ones run through all their codes
 #     exhaustive         formats whose inputs are all tried
 #     covered, mutated   formats whose coverage is counted, whose mutants are tried: of the first 200 in a test
 #   tables.cmake   declares programs, targets and tests of tables that only this device has
@@ -34,6 +36,8 @@ function(blysk_device_tests device)
   set(family "")
   set(changed_reference "")
   set(protocol strobes)
+  set(replayed 3000)
+  set(beside q8 q12)
   set(exhaustive q8 q10 q12 q14 q16)
   set(covered q8 q12 q16)
   set(mutated q8 q12)
@@ -85,6 +89,7 @@ function(blysk_device_tests device)
     add_test(NAME ${prefix}.random.${format} COMMAND sweep_verilog ${device} ${format} 20000)
     add_test(NAME ${prefix}.icarus.${format}
              COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/replay.sh $<TARGET_FILE:replay_vectors> ${verilog_folder} ${device} ${format})
+    set_tests_properties(${prefix}.icarus.${format} PROPERTIES ENVIRONMENT "BLYSK_REPLAYED=${replayed}")
     blysk_label_checked(${format} ${prefix}.random.${format} ${prefix}.icarus.${format})
     # Hard cases: the ends of all codes, legal and not; X before and after the reset.
     add_test(NAME ${prefix}.ends.${format} COMMAND lockstep ${device} ${format} ends)
@@ -107,13 +112,14 @@ function(blysk_device_tests device)
       blysk_label(long ${prefix}.long_sweep.${format})
     endif()
   endforeach()
-  foreach(format q8 q12)
+  foreach(format IN LISTS beside)
     add_test(NAME cosim.${device}.beside.${format} COMMAND sweep_verilog ${device} ${format} beside)
     blysk_label(quick cosim.${device}.beside.${format})
   endforeach()
   blysk_verilog_of(${device} q8)
   add_test(NAME cosim.${device}.icarus.stuck COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/replay.sh $<TARGET_FILE:replay_vectors>
            ${verilog_folder} ${device} q8 stuck)
+  set_tests_properties(cosim.${device}.icarus.stuck PROPERTIES ENVIRONMENT "BLYSK_REPLAYED=${replayed}")
   blysk_label(quick cosim.${device}.icarus.stuck)
 
   # Coverage and mutants.

@@ -1,15 +1,16 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# replay.sh REPLAY_VECTORS VERILOG_FOLDER DEVICE FORMAT [stuck]: Icarus replays 3000 random writes on the exported device.
+# replay.sh REPLAY_VECTORS VERILOG_FOLDER DEVICE FORMAT [stuck]: Icarus replays BLYSK_REPLAYED (3000) random writes on the
+# exported device.
 # Exit 0 if all was compared and nothing differs. With `stuck` the bench has to notice each output that is held at 0, by a
 # difference or as there is nothing to compare.
 set -euo pipefail
-[ $# = 4 ] || [ "$#${5:-}" = 5stuck ] || { sed -n '3,5s/^# //p' "$0" >&2 && exit 2; }
-vectors=$1 verilog=$(readlink -f "$2") device=$3 format=$4 stuck=${5:-}
+[ $# = 4 ] || [ "$#${5:-}" = 5stuck ] || { sed -n '3,6s/^# //p' "$0" >&2 && exit 2; }
+vectors=$1 verilog=$(readlink -f "$2") device=$3 format=$4 stuck=${5:-} count=${BLYSK_REPLAYED:-3000}
 bench=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/replay
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
-"$vectors" "$device" "$format" 3000 --output "$folder"
+"$vectors" "$device" "$format" "$count" --output "$folder"
 grep -q TRAILING_BITS "$folder/device.vh" || bench+=_handshake
 cp "$verilog"/*.v "$bench.v" "$folder"
 cd "$folder"
@@ -24,9 +25,9 @@ replayed() {
 if [ -z "$stuck" ]; then
   said=$(replayed)
   echo "$said"
-  results=3000
+  results=$count
   [ ! -e results.txt ] || results=$(wc -l <results.txt)
-  [ "$said" = "3000 writes replayed, $results compared, 0 differ" ]
+  [ "$said" = "$count writes replayed, $results compared, 0 differ" ]
   exit
 fi
 ports=$(grep -o 'stuck_[A-Za-z0-9_]*' device.vh | sed 's/^stuck_//')
@@ -36,6 +37,6 @@ for port in ${ports:?no output in device.vh}; do
   if [ -e results.txt ]; then
     [[ $said =~ ,\ [1-9][0-9]*\ differ$ ]]
   else
-    [[ $said =~ ^3000\ writes\ replayed,\ (3000\ compared,\ [1-9][0-9]*|0\ compared,\ 0)\ differ$ ]]
+    [[ $said =~ ^$count\ writes\ replayed,\ ($count\ compared,\ [1-9][0-9]*|0\ compared,\ 0)\ differ$ ]]
   fi
 done

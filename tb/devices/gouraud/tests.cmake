@@ -4,3 +4,5 @@ set(protocol handshake)           # start, ready and valid
 set(exhaustive ${blysk_formats})  # every run length; the colours run alongside
 set(covered "")
 set(mutated "")
+set(replayed 20)  # lines of up to 1024 pixels
+set(beside q8)

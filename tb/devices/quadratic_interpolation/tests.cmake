@@ -4,3 +4,5 @@ set(protocol handshake)           # start, ready and valid
 set(exhaustive ${blysk_formats})  # every length; values and differences run alongside
 set(covered "")
 set(mutated "")
+set(replayed 20)  # lines of up to 1024 pixels
+set(beside "")  # values and differences have too many codes
