@@ -30,13 +30,10 @@ struct quantise : sc_core::sc_module {
 
   template <class T>
   static constexpr T law(T a) {
-    constexpr int dropped = A::frac - Y::frac;
-    static_assert(law::rounds_within(A::width, dropped), "a number is rounded within 64 bits");
-    const T rounded = law::round_off(a, dropped, law::has_headroom(A::width));
     if constexpr (Overflow == overflow::clamp) {
-      return law::clamp(rounded, T(Y::min), T(Y::max));
+      return law::clamp(rounded<T>(a), T(Y::min), T(Y::max));
     } else {
-      return rounded;
+      return rounded<T>(a);
     }
   }
 
@@ -52,6 +49,13 @@ struct quantise : sc_core::sc_module {
   }
 
  private:
+  template <class T>
+  static constexpr T rounded(T a) {
+    constexpr int dropped = A::frac - Y::frac;
+    static_assert(law::rounds_within(A::width, dropped), "a number is rounded within 64 bits");
+    return law::round_off(a, dropped, law::has_headroom(A::width));
+  }
+
   void eval() { y_o.write(law<std::int64_t>(a_i.read().to_int64())); }
 };
 

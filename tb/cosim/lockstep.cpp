@@ -75,7 +75,7 @@ std::vector<std::int64_t> ends_of(const port& each) {
   }
   for (std::int64_t code = format.min; code <= format.min + 2; ++code) codes.push_back(code);
   std::ranges::sort(codes);
-  codes.erase(std::ranges::unique(codes).begin(), codes.end());
+  codes.erase(std::unique(codes.begin(), codes.end()), codes.end());
   return codes;
 }
 

@@ -68,7 +68,8 @@ std::string verilog_digest(const std::map<std::string, std::string>& files) {
   bool fine = context && EVP_DigestInit_ex(context.get(), EVP_sha256(), nullptr) == 1;
   for (const auto& [name, text] : files) {
     if (!name.ends_with(".v")) continue;
-    const std::string part = name + '\n' + text + '\0';
+    std::string part = name;
+    part.append(1, '\n').append(text).append(1, '\0');
     fine = fine && EVP_DigestUpdate(context.get(), part.data(), part.size()) == 1;
   }
   std::array<unsigned char, EVP_MAX_MD_SIZE> bytes{};

@@ -58,7 +58,8 @@ configuration& find_or_add(std::vector<configuration>& all, const std::string& p
   });
   if (found != all.end()) return *found;
   try {
-    return all.emplace_back(choose(device, format, options));
+    all.push_back({.asked = choose(device, format, options)});
+    return all.back();
   } catch (const std::invalid_argument& error) {
     throw file_error(path, 0, fmt::format("is no row of this program: {}", error.what()));
   }

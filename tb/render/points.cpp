@@ -30,9 +30,9 @@ class source_base : public point_source {
 
   footprint_weights shares_of(std::size_t pixel, cursor& near) const {
     const auto width = static_cast<std::size_t>(seen_.width);
+    const std::size_t row = pixel / width;
     return print_of(seen_.triangle[pixel], near)
-        .shares(static_cast<double>(pixel % width) + 0.5, static_cast<double>(pixel / width) + 0.5,
-                corrected_);
+        .shares(static_cast<double>(pixel % width) + 0.5, static_cast<double>(row) + 0.5, corrected_);
   }
 
   /// The point with these shares of a triangle's corners.

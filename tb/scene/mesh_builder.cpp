@@ -51,6 +51,7 @@ std::vector<flat_point> flattened(const std::vector<vec>& corners) {
 
 bool is_convex(const std::vector<flat_point>& flat) {
   const std::size_t size = flat.size();
+  if (size < 3) return false;
   int sign_changes = 0;  // of the edges' x direction: two in a polygon that goes around once
   double before = 0;
   for (std::size_t i = 0; i < size; ++i) {

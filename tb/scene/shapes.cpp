@@ -142,7 +142,8 @@ mesh make_spheres(int density) {
     each.ka = each.kd = kColours[i / 4];
     made.materials.push_back(each);
     const auto column = static_cast<double>(i % 4);
-    const auto row = static_cast<double>(i / 4);
+    const std::size_t in_rows = i / 4;
+    const auto row = static_cast<double>(in_rows);
     append_sphere(made, density, {2.2 * (column - 1.5), 2.2 * (1.5 - row), 0}, 1,
                   static_cast<std::uint32_t>(i));
   }

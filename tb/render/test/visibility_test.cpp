@@ -85,7 +85,7 @@ TEST_CASE("every pixel sees the triangle that its ray meets first, also from wit
         }
         if (!is_clear) continue;
         ++compared;
-        if (seen.triangle[static_cast<std::size_t>(y * kWidth + x)] != first)
+        if (seen.triangle[static_cast<std::size_t>(y) * kWidth + static_cast<std::size_t>(x)] != first)
           FAIL("pixel " << x << ", " << y << " of scene " << scene_number);
       }
     }
