@@ -12,7 +12,7 @@ packages=("$folder"/*.deb)
 [ "${#packages[@]}" = 1 ] || fail "made ${packages[*]}"
 dpkg-deb -x "${packages[0]}" "$folder/root"
 "$folder/root/usr/bin/blysk" --version | grep -q '^blysk [0-9]'
-for part in bin/sphere lib/cmake/blysk/blyskConfig.cmake include/blysk/rtl_sysc/qformat.h share/man/man1/blysk.1 \
+for part in bin/blysk lib/cmake/blysk/blyskConfig.cmake include/blysk/rtl_sysc/qformat.h share/man/man1/blysk.1 \
   share/bash-completion/completions/blysk; do
   [ -e "$folder/root/usr/$part" ] || fail "the package lacks $part"
 done
