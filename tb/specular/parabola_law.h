@@ -52,6 +52,12 @@ struct free_shape {
   using out_t = std::int64_t;
 };
 
+/// The same with the headroom known to the compiler, so that the loop has no branch.
+template <bool HasHeadroom>
+struct free_shape_with : free_shape {
+  static constexpr bool has_headroom = HasHeadroom;
+};
+
 /// From registers 1 and 2 to the BRDF, [P] fig. 1.
 /// \param a  coefficient, raw, with coefficient_bits
 /// \param c  cos(delta), raw, with cos_bits, 0..2^cos_bits; beyond, the result is unspecified
