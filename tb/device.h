@@ -72,7 +72,7 @@ class selection {
   /// "quadratic_q12": name of the folder below rtl_verilog/.
   std::string folder_name() const;
 
-  /// "device quadratic, format q12, coefficient derived, ...": what the device is, in one line.
+  /// "device <name>, format q12, coefficient derived, ...": what the device is, in one line.
   std::string text() const;
 
  private:
@@ -91,7 +91,7 @@ class device {
  public:
   virtual ~device() = default;
 
-  virtual std::string name() const = 0;      ///< "quadratic-rom"
+  virtual std::string name() const = 0;      ///< with dashes between words
   virtual std::string title() const = 0;     ///< what it is, in half a line
   virtual std::string source() const = 0;    ///< document
   virtual std::string figure() const = 0;    ///< of the document, "fig. 1"

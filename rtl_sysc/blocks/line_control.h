@@ -9,7 +9,7 @@ namespace blysk {
 
 /// Control of a device that draws a scan line: counts the steps that prepare it, then the pixels.
 ///
-/// Instances  control of gouraud.
+/// Instances  control of the Gouraud interpolator.
 /// Ports      load_o = start_i while nothing is left; step_o is one during the steps, draw_o while a pixel is at the outputs,
 ///            ready_o while nothing is left.
 /// Formats    length_i: Length unsigned; length_i + 1 pixels are drawn, both ends of the run.

@@ -9,7 +9,7 @@ namespace blysk {
 
 /// Control of a device that draws a scan line at once: counts the pixels that are left.
 ///
-/// Instances  control of quadratic-interpolation.
+/// Instances  control of the interpolator by forward differences.
 /// Ports      load_o = start_i while nothing is left; draw_o is one while a pixel is at the outputs, ready_o while none is.
 /// Formats    length_i: Length unsigned; length_i + 1 pixels are drawn.
 /// Timing     load_o follows start_i; the others change after the rising edge of clk.   Reset  ready.

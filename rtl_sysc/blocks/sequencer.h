@@ -9,7 +9,7 @@ namespace blysk {
 
 /// Control of a device that takes a number of clock cycles for each result: a counter of the steps that are left.
 ///
-/// Instances  ctl of the shift divider, [T] fig. 2.13.
+/// Instances  control of the shift divider, [T] fig. 2.13.
 /// Ports      load_o = start_i while no step is left; step_o is one while steps are left, ready_o while none is; done_o is one
 ///            in the cycle after the last step.
 /// \tparam Steps  clock cycles from the one that loads to the result, 1 or more

@@ -9,7 +9,7 @@ namespace blysk {
 
 /// Register of an interpolator: a start value, then what an adder makes of it with each step.
 ///
-/// Instances  rg_pixel of gouraud; rg_value, rg_first and rg_second of quadratic-interpolation.
+/// Instances  rg_pixel of the Gouraud interpolator; rg_value, rg_first and rg_second of that by forward differences.
 /// Formats    d_i: D, sum_i, q_o: Q with Q::frac >= D::frac.
 /// Timing     at a rising edge of clk: while load_i is one q_o becomes d_i; else, while step_i is one, sum_i.
 /// Reset      rst_n low at a rising edge of clk: 0.

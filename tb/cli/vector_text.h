@@ -22,11 +22,11 @@ std::vector<port> outputs_of(const std::vector<port>& ports);
 
 /// What the first line says of the vectors.
 struct vector_header {
-  std::string device;       ///< "--device quadratic --format q12"
+  std::string device;       ///< "--device NAME --format q12"
   std::uint64_t count = 0;  ///< how many vectors there are
 };
 
-/// "# blysk vectors --device quadratic --format q12; 5 vectors of n cos r g b", without the line's end.
+/// "# blysk vectors --device NAME --format q12; 5 vectors of n cos r g b", without the line's end.
 std::string header_text(const selection& asked, std::uint64_t count);
 
 /// The header that a line is; nothing if it is none.

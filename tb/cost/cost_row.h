@@ -64,7 +64,7 @@ struct cost_row {
 /// The options that differ from their presets.
 std::map<std::string, std::string> given_options(const selection& asked);
 
-/// "quadratic/cost_q8.json": the path below docs/tables, `kind` being "cost".
+/// "<identifier>/cost_q8.json": the path below docs/tables, `kind` being "cost".
 std::string row_path(const std::string& kind, const selection& asked);
 
 nlohmann::ordered_json json_of(const cost_row& row);

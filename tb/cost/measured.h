@@ -49,7 +49,7 @@ struct configuration {
   /// What a shell repeats the row by.
   std::string command() const;
 
-  /// "quadratic-rom q8, rom clocked"
+  /// "<device> q8, rom clocked"
   std::string label() const;
 };
 

@@ -13,7 +13,7 @@ namespace blysk::harness {
 /// \param root  scope of the waves, "SystemC"
 std::string layout_text(const selection& asked, const std::string& root = "SystemC");
 
-/// "--device quadratic --format q12 --as-published": what chooses the device on a command line.
+/// "--device NAME --format q12 --as-published": what chooses the device on a command line.
 std::string arguments_of(const selection& asked);
 
 /// What begins the comment in a VCD file that names the device, before arguments_of().
