@@ -105,7 +105,7 @@ wave_header() { sed '/\$enddefinitions/q' "$1"; }
 
 # device_of_waves FILE.vcd: the arguments that choose the device, as `blysk simulate --vcd` leaves them; nothing for the
 # waves of another program.
-device_of_waves() { wave_header "$1" | sed -n 's/^blysk-device \(\(--[a-z-]* *[A-Za-z0-9.-]* *\)*\)$/\1/p' | head -n 1; }
+device_of_waves() { wave_header "$1" | sed -n 's/^blysk-device \(\(--[a-z-]* *[A-Za-z0-9.-]* *\)*\)$/\1/p' | sed -n 1p; }
 
 # layout_shows FILE.vcd FILE.gtkw: fails if the waveform has none of the layout's signals.
 layout_shows() {

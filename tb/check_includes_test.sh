@@ -5,7 +5,7 @@
 set -euo pipefail
 unset CDPATH
 cd "$1"
-device=$(sed -nE 's/^BLYSK_DEVICE\(([a-z0-9_]+),.*/\1/p' tb/devices/devices.def | head -n 1)
+device=$(sed -nE 's/^BLYSK_DEVICE\(([a-z0-9_]+),.*/\1/p' tb/devices/devices.def | sed -n 1p)
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 mkdir "$work/scripts"

@@ -11,7 +11,7 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 [ -f "$row" ] || { echo "$row is missing: scripts/synth $3 $4 ${*:5} measures it"; exit 1; }
 command -v yosys >/dev/null || { echo "yosys is not there"; exit 77; }
-version=$(yosys --version | head -n 1)
+version=$(yosys --version | sed -n 1p)
 grep -qF "\"yosys\": \"$version\"" "$row" || { echo "$row was measured by another Yosys than $version"; exit 77; }
 mkdir -p "$work/wrapper" "$work/ice40"
 "$synthesis" prepare "$work" "${chosen[@]}"

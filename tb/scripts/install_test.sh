@@ -8,8 +8,8 @@ folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 place=$folder/"a place"
 env -u DESTDIR cmake --install "$build" --prefix "$place" >"$folder/log" || { cat "$folder/log" && exit 1; }
-"$place/bin/blysk" --version | grep -q '^blysk [0-9]'
-"$place/bin/blysk" render --help | grep -q '^Usage: blysk render'
+grep -q '^blysk [0-9]' <<<"$("$place/bin/blysk" --version)"
+grep -q '^Usage: blysk render' <<<"$("$place/bin/blysk" render --help)"
 diff -r --exclude=CMakeLists.txt "$source/rtl_sysc" "$place/include/blysk/rtl_sysc"
 for header in "$source"/tb/golden/*.h; do diff "$header" "$place/include/blysk/tb/golden"; done
 man=$(MANPATH=$place/share/man man -P cat -l "$place/share/man/man1/blysk.1" 2>/dev/null || cat "$place/share/man/man1/blysk.1")

@@ -11,7 +11,7 @@ fail() { echo "$*" >&2 && exit 1; }
 packages=("$folder"/*.deb)
 [ "${#packages[@]}" = 1 ] || fail "made ${packages[*]}"
 dpkg-deb -x "${packages[0]}" "$folder/root"
-"$folder/root/usr/bin/blysk" --version | grep -q '^blysk [0-9]'
+grep -q '^blysk [0-9]' <<<"$("$folder/root/usr/bin/blysk" --version)"
 for part in bin/blysk lib/cmake/blysk/blyskConfig.cmake include/blysk/rtl_sysc/qformat.h share/man/man1/blysk.1 \
   share/bash-completion/completions/blysk; do
   [ -e "$folder/root/usr/$part" ] || fail "the package lacks $part"
