@@ -106,18 +106,3 @@ wave_header() { sed '/\$enddefinitions/q' "$1"; }
 # device_of_waves FILE.vcd: the arguments that choose the device, as `blysk simulate --vcd` leaves them; nothing for the
 # waves of another program.
 device_of_waves() { wave_header "$1" | sed -n 's/^blysk-device \(\(--[a-z-]* *[A-Za-z0-9.-]* *\)*\)$/\1/p' | sed -n 1p; }
-
-# layout_shows FILE.vcd FILE.gtkw: fails if the waveform has none of the layout's signals.
-layout_shows() {
-  wave_header "$1" | awk '
-    in_header && $1 == "$scope" { scope = scope $3 "." }
-    in_header && $1 == "$upscope" { sub(/[^.]*\.$/, "", scope) }
-    in_header && $1 == "$var" { known[scope $5] }
-    in_header { next }
-    {
-      sub(/^\+\{[^}]*\} /, "")
-      sub(/\[[0-9]+:[0-9]+\]$/, "")
-      if ($0 in known) ++found
-    }
-    END { exit !found }' in_header=1 - in_header=0 /dev/fd/3 3<"$2"
-}

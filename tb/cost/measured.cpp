@@ -23,7 +23,8 @@ struct named_text {
 
 /// \param name  "cost_q8.json"
 bool is_row(const std::string& name) {
-  return name.ends_with(".json") && (name.starts_with("cost_") || name.starts_with("errors_"));
+  return name.ends_with(".json") &&
+         (name.starts_with("cost_") || name.starts_with("errors_") || name.starts_with("reference_"));
 }
 
 constexpr const char* kHostTimes = "host_times.json";
@@ -169,6 +170,10 @@ std::vector<configuration> read_measured(const std::string& folder) {
       cost_row row = parse_cost_row(file.path, file.text);
       configuration& of = find_or_add(all, file.path, row.device, row.format, row.options);
       of.cost = std::move(row);
+    } else if (name.starts_with("reference_")) {
+      cost_row row = parse_cost_row(file.path, file.text);
+      configuration& of = find_or_add(all, file.path, row.device, row.format, row.options);
+      of.reference = std::move(row);
     } else if (name.starts_with("errors_")) {
       add_errors(all, file);
     }

@@ -31,7 +31,8 @@ struct host_time {
 /// A device in a format with options, and what was measured of it.
 struct configuration {
   selection asked;
-  cost_row cost = {};  ///< parts that were not measured are not there
+  cost_row cost = {};       ///< parts that were not measured are not there
+  cost_row reference = {};  ///< of the device written by hand in Verilog
   std::optional<error_table> errors = {};
   std::map<std::string, host_time> host = {};  ///< by engine
   std::string digest = {};                     ///< of the Verilog that is exported today; empty if none is

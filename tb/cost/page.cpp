@@ -119,29 +119,27 @@ std::string front_block(const rows& all, const words& asked) {
 struct compared {
   const char* name;
   bool is_smaller_better;
-  std::function<std::optional<double>(const configuration&)> of;
+  std::function<std::optional<double>(const cost_row&)> of;
 };
 
 /// What two devices are compared by; the first of them says who is simpler.
 const std::vector<compared>& compared_figures() {
   using figure = std::optional<double>;
-  using row = const configuration&;
+  using row = const cost_row&;
   static const std::vector<compared> all{
-      {"NAND2", true, [](row c) { return c.cost.osu018 ? figure(c.cost.osu018->area_nand2) : figure(); }},
-      {"path, ns", true, [](row c) { return c.cost.osu018 ? figure(c.cost.osu018->path_ns) : figure(); }},
-      {"LUT", true, [](row c) { return c.cost.ice40 ? figure(c.cost.ice40->lut) : figure(); }},
-      {"RAM blocks", true,
-       [](row c) { return c.cost.ice40 ? figure(c.cost.ice40->ram_bits / 4096) : figure(); }},
-      {"LUT with DSP", true,
-       [](row c) { return c.cost.ice40_dsp ? figure(c.cost.ice40_dsp->lut) : figure(); }},
-      {"DSP blocks", true, [](row c) { return c.cost.ice40_dsp ? figure(c.cost.ice40_dsp->dsp) : figure(); }},
-      {"HX8K, MHz", false, [](row c) { return c.cost.hx8k ? figure(c.cost.hx8k->median()) : figure(); }},
+      {"NAND2", true, [](row c) { return c.osu018 ? figure(c.osu018->area_nand2) : figure(); }},
+      {"path, ns", true, [](row c) { return c.osu018 ? figure(c.osu018->path_ns) : figure(); }},
+      {"LUT", true, [](row c) { return c.ice40 ? figure(c.ice40->lut) : figure(); }},
+      {"RAM blocks", true, [](row c) { return c.ice40 ? figure(c.ice40->ram_bits / 4096) : figure(); }},
+      {"LUT with DSP", true, [](row c) { return c.ice40_dsp ? figure(c.ice40_dsp->lut) : figure(); }},
+      {"DSP blocks", true, [](row c) { return c.ice40_dsp ? figure(c.ice40_dsp->dsp) : figure(); }},
+      {"HX8K, MHz", false, [](row c) { return c.hx8k ? figure(c.hx8k->median()) : figure(); }},
   };
   return all;
 }
 
 /// -1 if the first device is better, 1 if the second is, 0 if they are equal or one was not measured.
-int better_of(const compared& by, const configuration& first, const configuration& second) {
+int better_of(const compared& by, const cost_row& first, const cost_row& second) {
   const std::optional<double> a = by.of(first);
   const std::optional<double> b = by.of(second);
   if (!a || !b || *a == *b) return 0;
@@ -159,14 +157,15 @@ std::string compare_block(const rows& all, const words& names) {
       if (first.asked.of().name() != names[0] || second.asked.of().name() != names[1] ||
           !first.asked.is_preset() || first.asked.format() != second.asked.format())
         continue;
-      if (std::ranges::none_of(figures, [&](const compared& by) { return by.of(first) && by.of(second); }))
+      if (std::ranges::none_of(figures,
+                               [&](const compared& by) { return by.of(first.cost) && by.of(second.cost); }))
         continue;
-      const int simpler = better_of(figures.front(), first, second);
+      const int simpler = better_of(figures.front(), first.cost, second.cost);
       words cells{second.label().substr(names[1].size() + 1)};
       for (std::size_t i = 0; i < figures.size(); ++i) {
-        const std::optional<double> a = figures[i].of(first);
-        const std::optional<double> b = figures[i].of(second);
-        const int better = better_of(figures[i], first, second);
+        const std::optional<double> a = figures[i].of(first.cost);
+        const std::optional<double> b = figures[i].of(second.cost);
+        const int better = better_of(figures[i], first.cost, second.cost);
         if (better != 0) ++wins[i][better < 0 ? 0 : 1];
         const std::string cell = a && b ? number_text(*a) + " / " + number_text(*b) : kNothing;
         cells.push_back(better * simpler < 0 ? "**" + cell + "**" : cell);
@@ -177,6 +176,33 @@ std::string compare_block(const rows& all, const words& names) {
   words better{fmt::format("rows where {} / {} is better", names[0], names[1])};
   for (const auto& [first, second] : wins) better.push_back(fmt::format("{} / {}", first, second));
   return text + line_of(better);
+}
+
+/// Each cell: the export's figure, that of the device written by hand, and the ratio.
+std::string reference_block(const rows& all, const words& names) {
+  const std::vector<compared>& figures = compared_figures();
+  words head{fmt::format("{}, export / by hand", names.at(0))};
+  for (const compared& each : figures) head.emplace_back(each.name);
+  std::string text = head_of(head);
+  for (const configuration& each : all) {
+    const bool is_measured = std::ranges::any_of(
+        figures, [&](const compared& by) { return by.of(each.cost) && by.of(each.reference); });
+    if (each.asked.of().name() != names[0] || !is_measured) continue;
+    words cells{each.label().substr(names[0].size() + 1)};
+    for (const compared& by : figures) {
+      const std::optional<double> a = by.of(each.cost);
+      const std::optional<double> b = by.of(each.reference);
+      if (!a || !b) {
+        cells.emplace_back(kNothing);
+      } else if (*b == 0) {
+        cells.push_back(fmt::format("{} / 0", number_text(*a)));
+      } else {
+        cells.push_back(fmt::format("{} / {} = {:.3f}", number_text(*a), number_text(*b), *a / *b));
+      }
+    }
+    text += line_of(cells);
+  }
+  return text;
 }
 
 std::string host_block(const rows& all, const words& formats) {
@@ -212,13 +238,15 @@ std::string tools_block(const rows& all) {
 
 std::string block_of(const std::string& path, std::size_t line, const words& asked, const rows& all) {
   if (asked.empty())
-    throw file_error(path, line, "names no block, expected rows, errors, front, compare, host or tools");
+    throw file_error(path, line,
+                     "names no block, expected rows, errors, front, compare, reference, host or tools");
   const words rest(asked.begin() + 1, asked.end());
   try {
     if (asked[0] == "rows") return rows_block(all, rest);
     if (asked[0] == "errors") return errors_block(all, rest);
     if (asked[0] == "front") return front_block(all, rest);
     if (asked[0] == "compare") return compare_block(all, rest);
+    if (asked[0] == "reference") return reference_block(all, rest);
     if (asked[0] == "host") return host_block(all, rest);
     if (asked[0] == "tools") return tools_block(all);
   } catch (const std::out_of_range&) {
@@ -228,7 +256,8 @@ std::string block_of(const std::string& path, std::size_t line, const words& ask
   }
   throw file_error(
       path, line,
-      fmt::format("block {} is unknown, expected rows, errors, front, compare, host or tools", asked[0]));
+      fmt::format("block {} is unknown, expected rows, errors, front, compare, reference, host or tools",
+                  asked[0]));
 }
 
 }  // namespace

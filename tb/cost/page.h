@@ -17,6 +17,7 @@ namespace blysk::cost {
 ///     errors FORMAT...         their errors on each domain
 ///     front TECHNOLOGY METRIC DOMAIN
 ///     compare DEVICE DEVICE    two devices side by side in every format that was measured of both
+///     reference DEVICE         the export beside the device written by hand, in every format that was measured of both
 ///     host FORMAT...           host time of the engines as ratios
 ///     tools                    what measured
 /// \param path  for messages

@@ -4,6 +4,7 @@
 // synthesis collect FOLDER --device D ... --row FILE: the tools' reports into a row. Parts that have no report stay as the
 //   row had them.
 // synthesis path --device D ...: where the row stands below docs/tables.
+// With --reference FILE: of the device written by hand in that Verilog instead of the export.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -31,8 +32,25 @@ std::string first_line(const fs::path& path) {
   return text.substr(0, text.find('\n'));
 }
 
-void prepare(const selection& asked, const fs::path& folder) {
-  const verilog::files exported = verilog::export_files(asked);
+/// The device written by hand, with the name and the fraction bits of the export.
+/// \throws usage_error if the file is no module `reference` with parameter F = 8
+verilog::files renamed(const std::string& reference, const selection& asked) {
+  std::string text = cost::read_text(reference);
+  const auto replace = [&](const std::string& from, const std::string& to) {
+    const std::size_t at = text.find(from);
+    if (at == std::string::npos)
+      throw file_error(reference, 0,
+                       fmt::format("has no '{}', expected module reference with parameter F = 8", from));
+    text.replace(at, from.size(), to);
+  };
+  replace("module reference ", fmt::format("module {} ", asked.top_name()));
+  replace("parameter F = 8", fmt::format("parameter F = {}", asked.format().substr(1)));
+  return {{"reference.v", text}};
+}
+
+void prepare(const selection& asked, const std::string& reference, const fs::path& folder) {
+  const verilog::files exported =
+      reference.empty() ? verilog::export_files(asked) : renamed(reference, asked);
   for (const auto& [name, text] : exported) {
     if (name.ends_with(".v")) cost::write_text(folder / name, text);
   }
@@ -105,7 +123,7 @@ void collect(const selection& asked, const fs::path& folder, const std::string& 
 
 int main(int argc, char** argv) {
   asked_device asked;
-  std::string folder, row;
+  std::string folder, row, reference;
   CLI::App *prepares = nullptr, *collects = nullptr;
   return run_program(
       argc, argv, "Prepares a device for synthesis tools and collects their reports",
@@ -114,6 +132,7 @@ int main(int argc, char** argv) {
         const auto add = [&](const char* name, const char* what) {
           CLI::App* const action = program.add_subcommand(name, what);
           add_device_arguments(*action, asked, purpose::hardware);
+          action->add_option("--reference", reference, "Verilog of the device written by hand");
           return action;
         };
         prepares = add("prepare", "write the device's Verilog and its wrapper");
@@ -126,11 +145,11 @@ int main(int argc, char** argv) {
       [&] {
         const selection chosen = asked.choose();
         if (prepares->parsed()) {
-          prepare(chosen, folder);
+          prepare(chosen, reference, folder);
         } else if (collects->parsed()) {
           collect(chosen, folder, row);
         } else {
-          fmt::print("{}\n", cost::row_path("cost", chosen));
+          fmt::print("{}\n", cost::row_path(reference.empty() ? "cost" : "reference", chosen));
         }
         return 0;
       });

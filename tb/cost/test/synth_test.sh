@@ -96,9 +96,20 @@ cp "$row" "$folder/before"
 runs 2 'reports an error of OpenSTA'
 cmp "$row" "$folder/before" || fail "the row was written"
 
-# Bad use.
 stub sta <<<"$good_sta"
-for words in "$device q9" "nothing q8" "$device q8 --nothing" "$device q8 -x"; do
+
+# The device written by hand has a row of its own, of its own Verilog.
+mkdir -p "$tree/tb/devices/$identifier"
+cp "$root/tb/devices/$identifier/reference.v" "$tree/tb/devices/$identifier"
+"$tree/scripts/synth" "$device" q8 --reference 2>"$folder/error" || fail "$(cat "$folder/error")"
+cmp "$row" "$folder/before" || fail "the row of the export was written"
+by_hand=$folder/rows/$identifier/reference_q8.json
+grep -qF '"lut": 7' "$by_hand" || fail "no row of the device written by hand"
+[ "$(grep -o '"digest": "[^"]*"' "$by_hand" | sort -u | wc -l)" = 1 ] || fail "digests differ"
+[ "$(grep -o -m 1 '"digest": "[^"]*"' "$by_hand")" != "$(grep -o -m 1 '"digest": "[^"]*"' "$row")" ] || fail "the export was measured"
+
+# Bad use.
+for words in "$device q9" "nothing q8" "$device q8 --nothing" "$device q8 -x" "--reference"; do
   status=0
   # shellcheck disable=SC2086  # a word each
   "$tree/scripts/synth" $words 2>"$folder/error" || status=$?
