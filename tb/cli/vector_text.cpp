@@ -7,7 +7,7 @@
 #include <string_view>
 #include <utility>
 
-#include "tb/harness/layout.h"
+#include "tb/harness/arguments.h"
 
 namespace blysk::cli {
 namespace {

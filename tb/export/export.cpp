@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "tb/netlist/layout.h"
+
 namespace blysk::verilog {
 
 namespace {
@@ -79,6 +81,7 @@ files export_files(const netlist::elaborated& device, const std::string& name, c
   result[name + ".f"] = list;
   result[name + ".core"] = core;
   result[name + ".sdc"] = constraints_text(device);
+  result[name + ".gtkw"] = netlist::layout_text(device, title, "TOP." + name, netlist::waves_of::verilog);
   return result;
 }
 

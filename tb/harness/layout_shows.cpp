@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// layout_shows FILE.vcd FILE.gtkw: how many rows of GTKWave's layout show a signal of the waveform. Exit status: 0 some,
-// 1 none.
+// layout_shows [--all] FILE.vcd FILE.gtkw: how many rows of GTKWave's layout show a signal of the waveform. Exit status: 0
+// some do, or all with --all; 1 otherwise.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -15,6 +15,8 @@ int run(int argc, char** argv) {
   CLI::App program{"Counts the rows of a layout of GTKWave that show a signal of a waveform", "layout_shows"};
   std::string vcd;
   std::string layout;
+  bool wants_all = false;
+  program.add_flag("--all", wants_all, "every row has to show a signal");
   program.add_option("waveform", vcd, "a VCD file")->required();
   program.add_option("layout", layout, "a .gtkw file")->required();
   try {
@@ -24,9 +26,9 @@ int run(int argc, char** argv) {
   } catch (const CLI::Error& error) {
     throw blysk::usage_error(fmt::format("{}, see layout_shows --help", error.what()));
   }
-  const std::size_t rows = blysk::harness::rows_shown(layout, blysk::harness::declared_signals(vcd));
-  fmt::print("{} rows\n", rows);
-  return rows == 0 ? 1 : 0;
+  const auto [shown, unknown] = blysk::harness::rows_of(layout, blysk::harness::declared_signals(vcd));
+  fmt::print("{} rows show a signal, {} do not\n", shown, unknown);
+  return shown == 0 || (wants_all && unknown > 0) ? 1 : 0;
 }
 
 }  // namespace

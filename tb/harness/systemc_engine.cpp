@@ -7,8 +7,8 @@
 #include <iterator>
 #include <systemc>
 
+#include "tb/harness/arguments.h"
 #include "tb/harness/host.h"
-#include "tb/harness/layout.h"
 
 namespace blysk::harness {
 namespace {

@@ -1,17 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 // wave_layout [--output FILE.gtkw | --check FILE.gtkw] [--device D] [--format F] [OPTION...]: GTKWave's layout for the
 // waves of a device, to standard output or a file; --check compares, exit 1 if the file is another.
-#include "tb/harness/layout.h"
 #include "tb/harness/text_program.h"
+#include "tb/netlist/layout.h"
 #include "tb/run_program.h"
 
 namespace {
 
-const blysk::harness::text_program kProgram{
-    .name = "wave_layout",
-    .description = "GTKWave's layout for the waves of a device",
-    .target = "update_layouts",
-    .text = [](const blysk::selection& asked) { return blysk::harness::layout_text(asked); }};
+std::string layout_of(const blysk::selection& asked) {
+  using namespace blysk::netlist;
+  const auto device = asked.of().elaborate(asked, 0);
+  sc_core::sc_start(sc_core::SC_ZERO_TIME);
+  return layout_text(*device, asked.text(), "SystemC", waves_of::systemc);
+}
+
+const blysk::harness::text_program kProgram{.name = "wave_layout",
+                                            .description = "GTKWave's layout for the waves of a device",
+                                            .target = "update_layouts",
+                                            .text = layout_of};
 
 }  // namespace
 

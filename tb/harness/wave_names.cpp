@@ -57,16 +57,23 @@ std::unordered_set<std::string> declared_signals(const std::string& vcd) {
   throw lines.error("the header has no end, expected $enddefinitions");
 }
 
-std::size_t rows_shown(const std::string& layout, const std::unordered_set<std::string>& signals) {
+row_count rows_of(const std::string& layout, const std::unordered_set<std::string>& signals) {
   line_reader lines(layout, "a layout (.gtkw)");
-  std::size_t count = 0;
+  row_count count;
   while (lines.next()) {
     std::string_view row = lines.text();
     if (row.starts_with("+{")) {
       const std::size_t end = row.find("} ");
       if (end != std::string_view::npos) row.remove_prefix(end + 2);
     }
-    if (signals.contains(std::string(without_range(row)))) ++count;
+    const bool is_shown = signals.contains(std::string(without_range(row)));
+    const bool is_other =
+        row.empty() || std::string_view("[*@-#^+").find(row.front()) != std::string_view::npos;
+    if (is_shown) {
+      ++count.shown;
+    } else if (!is_other) {
+      ++count.unknown;
+    }
   }
   return count;
 }

@@ -18,15 +18,15 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const fuzz::memory_file layout(end == text.size() ? std::string_view() : text.substr(end + 1));
   try {
     const auto signals = harness::declared_signals(vcd.path());
-    const std::size_t rows = harness::rows_shown(layout.path(), signals);
-    fuzz::expect(rows == 0 || !signals.empty(), "a row shows a signal of no waveform");
+    const harness::row_count rows = harness::rows_of(layout.path(), signals);
+    fuzz::expect(rows.shown == 0 || !signals.empty(), "a row shows a signal of no waveform");
     for (const std::string& name : signals) {
       fuzz::expect(text.substr(0, end).find("$var") != std::string_view::npos,
                    "a signal is declared nowhere");
       // A name that ends like a range, or begins like an alias, is no row of its own.
       if (name.ends_with(']') || name.starts_with("+{") || name.ends_with('\r')) continue;
       const fuzz::memory_file row("+{an alias} " + name + "[7:0]\n");
-      fuzz::expect(harness::rows_shown(row.path(), signals) == 1,
+      fuzz::expect(harness::rows_of(row.path(), signals).shown == 1,
                    "the row of a declared signal is not counted");
     }
   } catch (const usage_error& error) {

@@ -6,12 +6,13 @@
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <utility>
 
 #include "tb/catch.h"
 #include "tb/usage_error.h"
 
 using blysk::harness::declared_signals;
-using blysk::harness::rows_shown;
+using blysk::harness::rows_of;
 using Catch::Matchers::EndsWith;
 
 namespace {
@@ -57,11 +58,16 @@ TEST_CASE("the waves of a terabyte take no time") {
 TEST_CASE("rows are counted whose signal is declared") {
   const file vcd(".vcd", kHeader);
   const auto signals = declared_signals(vcd.path());
-  const auto rows = [&](const std::string& text) { return rows_shown(file(".gtkw", text).path(), signals); };
-  CHECK(rows("[size] 1600 1000\n@22\n+{n} SystemC.rg1.q_o[9:0]\nSystemC.clk\n") == 2);
-  CHECK(rows("SystemC.flags[3:0]\n") == 1);
-  CHECK(rows("SystemC.cos18[30:0]\nTOP.clk\nSystemC.rg1\nclk\n") == 0);
-  CHECK(rows("") == 0);
+  const auto rows = [&](const std::string& text) {
+    const auto [shown, unknown] = rows_of(file(".gtkw", text).path(), signals);
+    return std::pair(shown, unknown);
+  };
+  CHECK(rows("[size] 1600 1000\n@22\n+{n} SystemC.rg1.q_o[9:0]\nSystemC.clk\n") ==
+        std::pair<std::size_t, std::size_t>(2, 0));
+  CHECK(rows("SystemC.flags[3:0]\n") == std::pair<std::size_t, std::size_t>(1, 0));
+  CHECK(rows("SystemC.cos18[30:0]\nTOP.clk\nSystemC.rg1\nclk\n-a title\n") ==
+        std::pair<std::size_t, std::size_t>(0, 4));
+  CHECK(rows("") == std::pair<std::size_t, std::size_t>(0, 0));
 }
 
 TEST_CASE("a header without its end is refused") {

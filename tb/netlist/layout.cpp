@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tb/harness/layout.h"
+#include "tb/netlist/layout.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <optional>
-#include <systemc>
 #include <vector>
 
-#include "tb/netlist/elaborated.h"
-
-namespace blysk::harness {
+namespace blysk::netlist {
 namespace {
 
 /// Rows of a .gtkw file. The flags of a row are those of GTKWave's analyzer.h.
@@ -59,25 +56,20 @@ const port* strobe_of(const std::vector<port>& ports, const port& data) {
 
 }  // namespace
 
-std::string arguments_of(const selection& asked) {
-  std::string text = fmt::format("--device {} --format {}", asked.of().name(), asked.format());
-  for (const option& each : asked.of().options()) {
-    if (asked.value(each.name) == each.preset) continue;
-    text += each.is_flag() ? fmt::format(" --{}", each.name)
-                           : fmt::format(" --{} {}", each.name, asked.value(each.name));
-  }
-  return text;
-}
-
-std::string layout_text(const selection& asked, const std::string& root) {
-  const std::vector<port> ports = asked.of().ports(asked);
+std::string layout_text(const elaborated& device, const std::string& title, const std::string& root,
+                        waves_of whose) {
+  std::vector<port> ports;
+  for (const auto& each : device.ports()) ports.push_back(each->what);
   rows out(root);
   const auto of = [&](port::role role) { return of_role(ports, role); };
+  const auto name_of = [&](const port& of_port) -> const std::string& {
+    return whose == waves_of::systemc ? of_port.wave : of_port.name;
+  };
 
   out.begin("clock");
   for (const port::role role :
        {port::role::clock, port::role::reset, port::role::control, port::role::start, port::role::ready}) {
-    for (const port& each : of(role)) out.add(each.wave, {});
+    for (const port& each : of(role)) out.add(name_of(each), {});
   }
   out.end("clock");
   std::vector<port> level, trailing;
@@ -87,28 +79,28 @@ std::string layout_text(const selection& asked, const std::string& root) {
   }
   const auto add_writes = [&](const std::vector<port>& data, bool is_analogue) {
     for (const port& each : data) {
-      if (const port* const strobe = strobe_of(ports, each)) out.add(strobe->wave, {});
-      out.add(each.wave, each.carries, "", is_analogue);
+      if (const port* const strobe = strobe_of(ports, each)) out.add(name_of(*strobe), {});
+      out.add(name_of(each), each.carries, "", is_analogue);
     }
   };
   std::string writing;
   for (const port& each : trailing) {
     if (const port* const strobe = strobe_of(ports, each))
-      writing += fmt::format("{} writes by its trailing edge, ", strobe->wave);
+      writing += fmt::format("{} writes by its trailing edge, ", name_of(*strobe));
   }
   const bool is_handshake = protocol_of(ports) == protocol::handshake;
   for (const port& each : of(port::role::valid))
-    writing +=
-        fmt::format("{} confirms {}", each.wave, is_handshake ? "while it is at one" : "by its leading edge");
+    writing += fmt::format("{} confirms {}", name_of(each),
+                           is_handshake ? "while it is at one" : "by its leading edge");
   const std::string held =
       is_handshake ? "taken while start and ready are at one" : "written while the strobe is at one";
   out.begin(writing);
   add_writes(trailing, true);
-  for (const port& each : of(port::role::valid)) out.add(each.wave, {});
+  for (const port& each : of(port::role::valid)) out.add(name_of(each), {});
   bool is_first = true;
   for (const port& each : of(port::role::result)) {
     if (each.is_inner) continue;
-    out.add(each.wave, each.carries, "", is_first);
+    out.add(name_of(each), each.carries, "", is_first);
     is_first = false;
   }
   out.end(writing);
@@ -116,14 +108,11 @@ std::string layout_text(const selection& asked, const std::string& root) {
   add_writes(level, false);
   out.end(held);
 
-  const auto device = asked.of().elaborate(asked, 0);
-  sc_core::sc_start(sc_core::SC_ZERO_TIME);
   out.begin("blocks");
-  for (const sc_core::sc_module* module :
-       netlist::in_order_of_data(*device, netlist::registers_are::sources)) {
-    const netlist::block& part = *device->parts().find(*module);
+  for (const sc_core::sc_module* module : in_order_of_data(device, registers_are::sources)) {
+    const block& part = *device.parts().find(*module);
     for (const auto& [name, trace] : part.traces()) {
-      const std::string path = device->path_of(*module);
+      const std::string path = device.path_of(*module);
       out.add(fmt::format("{}.{}", path, name), part.described(name).carries,
               part.traces().size() == 1 ? path : "");
     }
@@ -143,7 +132,7 @@ std::string layout_text(const selection& asked, const std::string& root) {
       "[sst_expanded] 0\n"
       "[sst_vpaned_height] 300\n"
       "{}",
-      asked.text(),
+      title,
       [] {
         std::string marks;
         for (int i = 0; i < 27; ++i) marks += " -1";
@@ -152,4 +141,4 @@ std::string layout_text(const selection& asked, const std::string& root) {
       root, out.text());
 }
 
-}  // namespace blysk::harness
+}  // namespace blysk::netlist
