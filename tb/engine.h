@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <utility>
 
 #include "tb/columns.h"
@@ -51,6 +52,22 @@ class clocked_engine : public engine {
 
  protected:
   using engine::engine;
+};
+
+/// An engine whose signals can be recorded.
+class recorded_engine : public clocked_engine {
+ public:
+  /// Records the waves from now on in a VCD file, timescale 1 ps. Before the first run.
+  /// \param path  ends with .vcd
+  /// \throws std::logic_error if the engine was made without waves
+  virtual void trace(const std::string& path) = 0;
+
+  /// Ends the record and closes its file.
+  /// \return  whether all of it is in the file, as far as can be known
+  virtual bool stop_trace() = 0;
+
+ protected:
+  using clocked_engine::clocked_engine;
 };
 
 }  // namespace blysk

@@ -19,9 +19,9 @@
 
 #include "tb/golden/lobe.h"
 #include "tb/harness/systemc_engine.h"
-#include "tb/output_file.h"
 #include "tb/run_program.h"
 #include "tb/specular/specular.h"
+#include "tb/waves_file.h"
 
 namespace {
 
@@ -181,12 +181,10 @@ void systemc_device(benchmark::State& state, bool all_registers, bool traced) {
     const double bare = bare_clock_seconds();
     const double taken = seconds_in_child([&] {
       const auto device = harness::make_systemc(choose_device("q16"));
-      std::optional<output_file> waves;  // never committed
+      std::optional<waves_file> waves;  // never committed
       if (traced) {
-        constexpr std::string_view ending = ".vcd";  // SystemC appends it
-        waves.emplace((std::filesystem::temp_directory_path() / "blysk-bench.vcd").string(), ending);
-        const std::string& path = waves->temporary_path();
-        device->trace(path.substr(0, path.size() - ending.size()));
+        waves.emplace((std::filesystem::temp_directory_path() / "blysk-bench.vcd").string());
+        device->trace(waves->recorded_path());
       }
       const columns writes = random_writes(choose_device("q16"), count, all_registers);
       columns out;

@@ -75,7 +75,7 @@ split measure(engine& device, const std::vector<port>& ports, const std::filesys
 /// The least of several runs: other work on the machine only adds.
 void show_split(const std::string& name, const selection& asked, const std::filesystem::path& folder,
                 int rows) {
-  const auto device = find_engine(name).make(asked);
+  const auto device = find_engine(name).make(asked, cosim::waves::off);
   const std::vector<port> ports = asked.of().ports(asked);
   write_stimulus(folder / "stimulus.csv", rows);
   split least = measure(*device, ports, folder);

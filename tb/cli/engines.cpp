@@ -7,21 +7,24 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "tb/cosim/verilator_engine.h"
 #include "tb/harness/systemc_engine.h"
 
 namespace blysk::cli {
 
+using cosim::waves;
+
 const std::vector<engine_choice>& engine_choices() {
   static const std::vector<engine_choice> choices{
-      {"golden", "the device's formula in double", purpose::formula,
-       [](const selection& asked) { return asked.of().make_golden(asked); }},
-      {"bit", "its laws on integers", purpose::hardware,
-       [](const selection& asked) { return asked.of().make_bit(asked); }},
-      {"systemc", "its blocks under clock and strobes", purpose::hardware,
-       [](const selection& asked) -> std::unique_ptr<engine> { return harness::make_systemc(asked); }},
-      {"verilator", "their exported Verilog", purpose::hardware,
-       [](const selection& asked) -> std::unique_ptr<engine> { return cosim::make_verilator(asked); }}};
+      {"golden", "the device's formula in double", purpose::formula, false,
+       [](const selection& asked, waves) { return asked.of().make_golden(asked); }},
+      {"bit", "its laws on integers", purpose::hardware, false,
+       [](const selection& asked, waves) { return asked.of().make_bit(asked); }},
+      {"systemc", "its blocks under clock and strobes", purpose::hardware, true,
+       [](const selection& asked, waves) -> std::unique_ptr<engine> { return harness::make_systemc(asked); }},
+      {"verilator", "their exported Verilog", purpose::hardware, true,
+       [](const selection& asked, waves recorded) -> std::unique_ptr<engine> {
+         return cosim::make_verilator(asked, recorded);
+       }}};
   return choices;
 }
 

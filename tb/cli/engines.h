@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "tb/cosim/verilator_engine.h"
 #include "tb/device.h"
 
 namespace blysk::cli {
@@ -14,7 +15,8 @@ struct engine_choice {
   std::string_view name;
   std::string_view help;
   purpose serves;
-  std::unique_ptr<engine> (*make)(const selection& asked);
+  bool is_recorded;  ///< --vcd can record its signals
+  std::unique_ptr<engine> (*make)(const selection& asked, cosim::waves recorded);
 };
 
 const std::vector<engine_choice>& engine_choices();

@@ -70,7 +70,7 @@ class powers {
 
 /// Median seconds for a million results, and the median of the ratios to powers run just before.
 std::array<double, 2> measure(const selection& asked, const cli::engine_choice& choice) {
-  const auto engine = choice.make(asked);
+  const auto engine = choice.make(asked, cosim::waves::off);
   columns writes;
   for_random_inputs(asked, 4096, 1, [&](const columns& batch) { writes = batch; });
   columns results;

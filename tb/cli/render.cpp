@@ -22,6 +22,7 @@
 #include "tb/render/report.h"
 #include "tb/scene/read_scene.h"
 #include "tb/scene/shapes.h"
+#include "tb/waves_file.h"
 
 namespace blysk::cli {
 namespace {
@@ -131,7 +132,7 @@ class job_engines {
 
   engine* of_thread(unsigned thread) {
     if (choice_.name == "systemc") return systemc();
-    while (made_.size() <= thread) made_.push_back(choice_.make(device_));
+    while (made_.size() <= thread) made_.push_back(choice_.make(device_, cosim::waves::off));
     return made_[thread].get();
   }
 
@@ -225,34 +226,29 @@ void set_size(const options& asked, render::job& job) {
 /// Opens the waves of what is watched, or of everything, and closes them when it is done.
 class waves {
  public:
-  waves(const std::string& path, job_engines& engines) : path_(path), engines_(engines) {
+  waves(const std::string& path, job_engines& engines) : engines_(engines) {
     if (path.empty()) return;
-    file_.emplace(path, kEnding);
-    if (file_->temporary_path().empty())
-      throw file_error(path, 0, "is no regular file, expected one to write");
+    file_.emplace(path);
   }
   void start() {
     if (!file_) return;
-    const std::string& path = file_->temporary_path();
-    engines_.systemc()->trace(path.substr(0, path.size() - kEnding.size()));
+    engines_.systemc()->trace(file_->recorded_path());
     is_running_ = true;
   }
   void stop() {
     if (!is_running_) return;
     is_running_ = false;
-    if (!engines_.systemc()->stop_trace())
-      throw file_error(path_, 0, "cannot be written to its end, expected room for the waves");
+    is_whole_ = engines_.systemc()->stop_trace();
   }
   void commit() {
-    if (file_) file_->commit();
+    if (file_) file_->commit(is_whole_);
   }
 
  private:
-  static constexpr std::string_view kEnding = ".vcd";  // SystemC appends it
-  const std::string& path_;
   job_engines& engines_;
-  std::optional<output_file> file_;
+  std::optional<waves_file> file_;
   bool is_running_ = false;
+  bool is_whole_ = true;
 };
 
 /// The files that were asked for: opened first, so that none is written if one cannot be.

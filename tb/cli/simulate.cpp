@@ -18,6 +18,7 @@
 #include "tb/harness/systemc_engine.h"
 #include "tb/output_file.h"
 #include "tb/progress.h"
+#include "tb/waves_file.h"
 
 namespace blysk::cli {
 namespace {
@@ -39,13 +40,9 @@ struct outcome {
 
 void check(const options& asked) {
   expect_different_files({"--stimulus", "--results", "--vcd"}, {asked.stimulus, asked.results, asked.vcd});
-  if (!asked.vcd.empty() && asked.engine != "systemc") {
-    throw usage_error(
-        fmt::format("--vcd records signals and engine {} has none, expected engine systemc", asked.engine));
-  }
-  for (const std::string_view other : {".fst", ".lxt", ".lxt2", ".vzt", ".ghw", ".fsdb", ".vpd", ".wlf"}) {
-    if (!asked.vcd.ends_with(other)) continue;
-    throw file_error(asked.vcd, 0, "names another form of waves, expected .vcd; vcd2fst makes FST of one");
+  if (!asked.vcd.empty() && !find_engine(asked.engine).is_recorded) {
+    throw usage_error(fmt::format(
+        "--vcd records signals and engine {} has none, expected engine systemc or verilator", asked.engine));
   }
 }
 
@@ -103,15 +100,12 @@ void run(const options& asked) {
   const std::vector<port> ports = device.of().ports(device);
   csv_reader rows(asked.stimulus, stimulus_header(ports));
   output_file results(asked.results);
-  std::optional<output_file> waves;
-  const std::unique_ptr<engine> simulated = choice.make(device);
-  auto* const systemc = dynamic_cast<harness::systemc_engine*>(simulated.get());
+  const std::unique_ptr<engine> simulated = choice.make(device, asked.vcd.empty() ? cosim::waves::off : cosim::waves::on);
+  auto* const recorded = dynamic_cast<recorded_engine*>(simulated.get());
+  std::optional<waves_file> waves;
   if (!asked.vcd.empty()) {
-    constexpr std::string_view ending = ".vcd";  // SystemC appends it
-    waves.emplace(asked.vcd, ending);
-    const std::string& path = waves->temporary_path();
-    if (path.empty()) throw file_error(asked.vcd, 0, "is no regular file, expected one to write");
-    systemc->trace(path.substr(0, path.size() - ending.size()));
+    waves.emplace(asked.vcd);
+    recorded->trace(waves->recorded_path());
   }
   outcome done;
   {
@@ -131,12 +125,7 @@ void run(const options& asked) {
     done.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   }
   results.close();
-  if (waves) {
-    if (!systemc->stop_trace()) {
-      throw file_error(asked.vcd, 0, "cannot be written to its end, expected room for the waves");
-    }
-    waves->commit();
-  }
+  if (waves) waves->commit(recorded->stop_trace());
   results.commit();
   report(asked, device, done, dynamic_cast<const clocked_engine*>(simulated.get()));
 }
@@ -160,7 +149,9 @@ void add_simulate(CLI::App& program) {
           "--results", asked->results,
           "CSV to write: the stimulus as the device takes it, and the results; - for standard output")
       ->required();
-  verb->add_option("--vcd", asked->vcd, "record the waves (engine systemc)");
+  verb->add_option("--vcd", asked->vcd,
+                   "record the waves (engine systemc or verilator); FST if the name ends with .fst and "
+                   "vcd2fst is installed");
   verb->add_flag(
       "--clamp", asked->clamps,
       "take real numbers not more than 2^-23 outside their range, as rounding leaves them, for its end; the "

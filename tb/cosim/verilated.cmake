@@ -43,7 +43,7 @@ endif()
 
 # Verilator's own sources.
 add_library(blysk_verilator STATIC ${VERILATOR_ROOT}/include/verilated.cpp ${VERILATOR_ROOT}/include/verilated_cov.cpp
-            ${VERILATOR_ROOT}/include/verilated_threads.cpp)
+            ${VERILATOR_ROOT}/include/verilated_threads.cpp ${VERILATOR_ROOT}/include/verilated_vcd_c.cpp)
 target_compile_options(blysk_verilator PRIVATE -w)
 target_include_directories(blysk_verilator SYSTEM PUBLIC ${VERILATOR_ROOT}/include ${VERILATOR_ROOT}/include/vltstd)
 target_link_libraries(blysk_verilator PUBLIC Threads::Threads)
@@ -75,17 +75,20 @@ function(blysk_export_verilog device format)
   add_custom_target(verilog_${device}_${format} ALL DEPENDS ${verilog_files})
 endfunction()
 
-# blysk_verilate(TARGET CLASS DEVICE FORMAT TOP SOURCE [MUTANTS] [NO_INNER] [DEPENDS file...] [ARGUMENTS verilator's...])
+# blysk_verilate(TARGET CLASS DEVICE FORMAT TOP SOURCE [MUTANTS] [NO_INNER] [RECORDED] [DEPENDS file...] [ARGUMENTS verilator's...])
 # Adds the class that Verilator makes of module TOP of SOURCE, a Verilog file or a folder of them, with its glue to the
 # ports of DEVICE: the function cosim::make_CLASS().
 function(blysk_verilate target class device format top source)
-  cmake_parse_arguments(PARSE_ARGV 6 arg "MUTANTS;NO_INNER" "" "DEPENDS;ARGUMENTS")
+  cmake_parse_arguments(PARSE_ARGV 6 arg "MUTANTS;NO_INNER;RECORDED" "" "DEPENDS;ARGUMENTS")
   set(folder ${CMAKE_CURRENT_BINARY_DIR}/verilated/${class})
   set(kind "")
   if(arg_MUTANTS)
     set(kind --mutants --no-inner)
   elseif(arg_NO_INNER)
     set(kind --no-inner)
+  elseif(arg_RECORDED)
+    set(kind --recorded)
+    list(APPEND arg_ARGUMENTS --trace)
   endif()
   add_custom_command(OUTPUT ${folder}/glue.cpp ${folder}/public.vlt
                      COMMAND verilated_glue ${device} ${format} ${class} ${top} --output ${folder} ${kind}

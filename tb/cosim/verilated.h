@@ -5,10 +5,15 @@
 
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <stdexcept>
+#include <string>
+#include <type_traits>
 #include <utility>
+#include <variant>
 #include <vector>
 
+#include "tb/cosim/recording.h"
 #include "tb/cosim/verilator_engine.h"
 
 namespace blysk::cosim {
@@ -58,10 +63,37 @@ class verilated : public Base {
   std::uint64_t cycles() const override { return cycles_; }
   std::uint64_t writes() const override { return writes_; }
 
+  void trace(const std::string& path) override {
+    if constexpr (kIsRecorded) {
+      recording_ = std::make_unique<recording>(path, this->comment());
+      glue_.record(recording_->waves());
+      recording_->open();
+    } else {
+      throw std::logic_error("no waves of this class can be recorded");
+    }
+  }
+
+  bool stop_trace() override {
+    if constexpr (kIsRecorded) {
+      if (!recording_) return true;
+      if (recording_->is_empty()) {
+        glue_.top.eval();
+        recording_->sample();
+      }
+      const bool is_whole = recording_->close();
+      recording_.reset();
+      return is_whole;
+    } else {
+      return true;
+    }
+  }
+
  protected:
   Glue glue_;
 
  private:
+  static constexpr bool kIsRecorded = requires(Glue & glue, VerilatedVcdC& waves) { glue.record(waves); };
+
   void compute(const columns& in, columns& out) override {
     if constexpr (Glue::kProtocol == protocol::none) {
       throw std::logic_error("the device's ports are not those of a protocol");
@@ -81,7 +113,7 @@ class verilated : public Base {
     for (std::size_t i = 0; i < rows; ++i) {
       lead();
       glue_.trailing([&](auto channel, auto& data, auto&) { put(channel, data, i); });
-      clock(false);
+      fall();
       if (i > 0) capture(i - 1);
       finish_cycle();
       trail();
@@ -89,16 +121,16 @@ class verilated : public Base {
         put(channel, data, i);
         strobe = 1;
       });
-      clock(false);
+      fall();
       finish_cycle();
       settle();
     }
     lead();
-    clock(false);
+    fall();
     if (rows > 0) capture(rows - 1);
     finish_cycle();
     trail();
-    clock(false);
+    fall();
     finish_cycle();
     settle();
     writes_ += rows + 1;
@@ -131,6 +163,7 @@ class verilated : public Base {
       if (is_offered) glue_.data([&](auto field, auto& data) { put(field, data, taken); });
       glue_.start() = is_offered ? 1 : 0;
       glue_.top.eval();
+      show();
       idle = glue_.ready() != 0 && taken == rows ? idle + 1 : 0;
     }
     out.resize(delivered);
@@ -155,9 +188,21 @@ class verilated : public Base {
     glue_.top.eval();
   }
 
+  void fall() {
+    clock(false);
+    show();
+  }
+
   void finish_cycle() {
     clock(true);
+    show();
     ++cycles_;
+  }
+
+  void show() {
+    if constexpr (kIsRecorded) {
+      if (recording_) recording_->sample();
+    }
   }
 
   void reset() {
@@ -165,7 +210,7 @@ class verilated : public Base {
     glue_.top.eval();
     for (std::uint64_t i = 0; i < kResetCycles; ++i) {
       finish_cycle();
-      clock(false);
+      fall();
     }
   }
 
@@ -185,7 +230,7 @@ class verilated : public Base {
   void settle() {
     for (int cycle = 0; cycle < Glue::kSettlingCycles; ++cycle) {
       glue_.level([](auto, auto&, auto& strobe) { strobe = 0; });
-      clock(false);
+      fall();
       finish_cycle();
     }
   }
@@ -205,6 +250,7 @@ class verilated : public Base {
 
   std::array<const void*, Glue::kDataColumns> sources_{};
   std::array<void*, Glue::kResultStorage.size()> targets_{};
+  std::conditional_t<kIsRecorded, std::unique_ptr<recording>, std::monostate> recording_;
   std::uint64_t cycles_ = 0;
   std::uint64_t writes_ = 0;
 };

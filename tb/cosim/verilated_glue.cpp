@@ -22,6 +22,7 @@ struct wanted {
   std::string top;         ///< the Verilog module
   bool has_inner = true;   ///< the module has the nets of the inner results
   bool has_mutants = false;
+  bool is_recorded = false;  ///< made with --trace
 };
 
 const char* element_of(const port& of) {
@@ -54,8 +55,9 @@ class glue {
   std::string text() const {
     const protocol talks = protocol_of(ports_);
     const bool driven = talks != protocol::none;
-    return fmt::format(R"(// Made by verilated_glue; do not edit.
-#include <{0}.h>
+    return fmt::format(
+        R"(// Made by verilated_glue; do not edit.
+{12}#include <{0}.h>
 #include <{0}___024root.h>
 #include <all.cpp>
 
@@ -70,7 +72,7 @@ struct glue {{
   static constexpr std::array<storage, {4}> kResultStorage = {{{5}}};
 
   {0} top;
-{6}
+{13}{6}
   template <class Use>
   void inputs(Use use) {{
 {7}  }}
@@ -87,12 +89,14 @@ std::unique_ptr<{10}> make_{0}() {{
 
 }}  // namespace blysk::cosim
 )",
-                       what_.class_name, what_.has_mutants ? "mutants_of" : "verilated", name_of(talks),
-                       std::ranges::count(ports_, port::role::data, &port::is),
-                       std::ranges::count(ports_, port::role::result, &port::is), result_storage(),
-                       driven ? control_text() : "", wires_text(true), wires_text(false),
-                       driven ? columns_text() : "", what_.has_mutants ? "mutants" : "verilator_engine",
-                       what_.has_mutants ? "mutants_of<glue>" : "verilated<glue>");
+        what_.class_name, what_.has_mutants ? "mutants_of" : "verilated", name_of(talks),
+        std::ranges::count(ports_, port::role::data, &port::is),
+        std::ranges::count(ports_, port::role::result, &port::is), result_storage(),
+        driven ? control_text() : "", wires_text(true), wires_text(false), driven ? columns_text() : "",
+        what_.has_mutants ? "mutants" : "verilator_engine",
+        what_.has_mutants ? "mutants_of<glue>" : "verilated<glue>",
+        what_.is_recorded ? "#include <verilated_vcd_c.h>\n" : "",
+        what_.is_recorded ? "  void record(VerilatedVcdC& waves) { top.trace(&waves, 99); }\n" : "");
   }
 
   std::string configuration() const {
@@ -217,6 +221,7 @@ int main(int argc, char** argv) {
         program.add_option("--output", folder, "folder for glue.cpp and public.vlt")->required();
         program.add_flag("--no-inner{false}", what.has_inner, "the module has no nets of inner results");
         program.add_flag("--mutants", what.has_mutants, "the module has an input that selects a mutant");
+        program.add_flag("--recorded", what.is_recorded, "the class is made with --trace");
       },
       [&] {
         const selection asked = arguments.chosen();

@@ -17,6 +17,7 @@ struct verilated_entry {
 
 // The tables are made by CMake (verilated.cmake), the last one for a program of one device and format.
 std::span<const verilated_entry> exported_table();
+std::span<const verilated_entry> traced_table();
 std::span<const verilated_entry> reference_table();
 std::span<const verilated_entry> covered_table();
 

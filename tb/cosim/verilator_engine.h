@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <string>
+#include <utility>
 
 #include "tb/device.h"
 #include "tb/engine.h"
@@ -14,20 +16,31 @@ namespace blysk::cosim {
 /// A Verilated device. Its run() keeps the protocol of harness::systemc_engine: strobes change with the falling edges of
 /// clk, every write takes two cycles, the results of one are read at the leading edge of the valid port that begins the
 /// next.
-class verilator_engine : public clocked_engine {
+class verilator_engine : public recorded_engine {
  public:
+  /// What the head of a waveform says.
+  void set_comment(std::string text) { comment_ = std::move(text); }
+
   /// Applies the inputs, lets the device settle and reads the outputs and the inner results.
   /// \param levels  a number for each port, in the order of device::ports()
   virtual void apply(std::span<std::int64_t> levels) = 0;
 
  protected:
-  using clocked_engine::clocked_engine;
+  using recorded_engine::recorded_engine;
+
+  const std::string& comment() const { return comment_; }
+
+ private:
+  std::string comment_;
 };
 
+/// Whether waves can be recorded. Verilator keeps every net for them, so such a class is slower, and another one.
+enum class waves { off, on };
+
 /// The exported Verilog of the device in the format. All named formats of all devices are compiled in: those under
-/// rtl_verilog/ from there, the others from an export into the build tree.
+/// rtl_verilog/ from there, the others from an export into the build tree. With waves there are those under rtl_verilog/.
 /// Its run() throws std::logic_error for a device without the strobe protocol.
-/// \throws std::invalid_argument for options that differ from the presets
-std::unique_ptr<verilator_engine> make_verilator(const selection& asked);
+/// \throws std::invalid_argument for options that differ from the presets, and a format that is not compiled in
+std::unique_ptr<verilator_engine> make_verilator(const selection& asked, waves recorded = waves::off);
 
 }  // namespace blysk::cosim

@@ -34,8 +34,9 @@ class engine_of_host final : public systemc_engine {
   ~engine_of_host() override { engine_of_host::stop_trace(); }
 
   void trace(const std::string& path) override {
-    path_ = path + ".vcd";
-    file_ = sc_core::sc_create_vcd_trace_file(path.c_str());
+    path_ = path;
+    // SystemC appends the ending.
+    file_ = sc_core::sc_create_vcd_trace_file(path.substr(0, path.rfind('.')).c_str());
     file_->set_time_unit(1, sc_core::SC_PS);
     file_->write_comment(kWaveComment + arguments_);
     record(*device_, file_);

@@ -14,22 +14,14 @@ inline constexpr double kClockPeriodNs = 10;
 
 /// A device elaborated in SystemC, with clock, strobes and a monitor at its valid port.
 ///
-/// Every write takes two clock cycles, and as many more as the device says that it needs to settle: strobes change with the falling edges of clk, the strobe that writes by its
-/// trailing edge goes up and down again, the others go up as it goes down if their value changes. The monitor reads the
-/// results at the next leading edge of the valid port.
+/// Every write takes two clock cycles, and as many more as the device says that it needs to settle: strobes change with the
+/// falling edges of clk, the strobe that writes by its trailing edge goes up and down again, the others go up as it goes
+/// down if their value changes. The monitor reads the results at the next leading edge of the valid port.
 /// SystemC elaborates once: a process makes one engine and makes it before it runs any.
-class systemc_engine : public clocked_engine {
- public:
-  /// Records the waves from now on in a VCD file, timescale 1 ps. Before the first run.
-  /// \param path  without the ending .vcd, which SystemC appends
-  virtual void trace(const std::string& path) = 0;
-
-  /// Ends the record and closes its file.
-  /// \return  whether its end is in the file: SystemC does not say when a disk is full
-  virtual bool stop_trace() = 0;
-
+/// SystemC does not say when a disk is full: the end of the record is looked for in its file.
+class systemc_engine : public recorded_engine {
  protected:
-  using clocked_engine::clocked_engine;
+  using recorded_engine::recorded_engine;
 };
 
 /// Whether a VCD file, timescale 1 ps, ends as a whole line not longer than a clock period before `now_ps`.

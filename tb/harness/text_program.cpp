@@ -20,6 +20,7 @@ int run_text(const text_program& of, int argc, char** argv) {
   add_device_arguments(program, asked, purpose::hardware);
   program.add_option("--output", output, "file to write, - for standard output")->capture_default_str();
   program.add_option("--check", check, "file to compare with");
+  if (of.add_options) of.add_options(program);
   try {
     program.parse(argc, argv);
   } catch (const CLI::Success& success) {

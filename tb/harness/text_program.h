@@ -6,6 +6,10 @@
 
 #include "tb/device.h"
 
+namespace CLI {
+class App;
+}
+
 namespace blysk::harness {
 
 /// A program that makes a text of a device: NAME [--output FILE | --check FILE] [--device D] [--format F] [OPTION...]
@@ -16,6 +20,8 @@ struct text_program {
   std::function<std::string(const selection&)> text;
   /// Whether what is made of FILE is still of this text; empty if nothing is.
   std::function<bool(const std::string& file, const std::string& text)> is_made_of = {};
+  /// Options besides.
+  std::function<void(CLI::App&)> add_options = {};
 };
 
 /// The body of such a program: writes the text to standard output or a file, or compares it with the file.
