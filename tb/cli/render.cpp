@@ -6,12 +6,14 @@
 #include <array>
 #include <charconv>
 #include <chrono>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <systemc>
 #include <thread>
 #include <vector>
 
+#include "tb/cli/animation.h"
 #include "tb/cli/engines.h"
 #include "tb/cli/verbs.h"
 #include "tb/device_arguments.h"
@@ -22,6 +24,7 @@
 #include "tb/render/report.h"
 #include "tb/scene/read_scene.h"
 #include "tb/scene/shapes.h"
+#include "tb/scene/turn.h"
 #include "tb/waves_file.h"
 
 namespace blysk::cli {
@@ -35,10 +38,11 @@ struct options {
   std::string size = "512x512";
   std::string shading = "phong";
   std::string perspective = "corrected";
-  std::string watch, eye, target, background, ambient;
+  std::string watch, eye, target, background, ambient, film;
   std::vector<std::string> lights;
   int density = 0;
   int exponent = 0;
+  int frames = 0;
   double fov_deg = 0;
   unsigned threads = std::max(1U, std::thread::hardware_concurrency());
   bool explains = false;
@@ -176,8 +180,13 @@ bool takes_stdout(const options& asked) {
 }
 
 void check(const options& asked) {
-  expect_different_files({"--output", "--report", "--vcd", "--compare"},
-                         {asked.output, asked.report, asked.vcd, asked.compare});
+  expect_different_files({"--output", "--report", "--vcd", "--compare", "--film"},
+                         {asked.output, asked.report, asked.vcd, asked.compare, asked.film});
+  if (asked.frames > 0 && !(asked.watch.empty() && asked.vcd.empty() && asked.compare.empty()))
+    throw usage_error(
+        "--animate goes with --output, --film and --report, expected no --watch, --vcd or --compare");
+  if (asked.frames == 0 && !asked.film.empty())
+    throw usage_error("--film is made of frames, expected --animate N");
   if (!makes_files(asked) && !asked.explains)
     throw usage_error("nothing to do, expected --output, --report, --compare or --explain");
   if (!asked.vcd.empty() && asked.watch.empty() && asked.engine != "systemc") {
@@ -280,6 +289,55 @@ class result_files {
   std::optional<output_file> picture_, report_, sheet_;
 };
 
+/// Renders one picture, with what its user sees of its progress.
+render::outcome render_shown(render::job job, const std::string& what) {
+  std::optional<progress> shown;
+  std::size_t before = 0;
+  job.progress = [&](std::size_t done, std::size_t total) {
+    if (!shown) shown.emplace(what, total);
+    shown->advance(done - before);
+    before = done;
+  };
+  return render::render(job);
+}
+
+/// A whole turn of the object, seen by a camera that stays, in the light that stays.
+void animate(const options& asked, scene::world& of, const render::job& job,
+             const std::function<render::circumstances()>& around) {
+  animation made(asked.frames, asked.output, asked.film);
+  std::optional<output_file> report;
+  if (!asked.report.empty()) report.emplace(asked.report);
+  if (!of.view) of.view = scene::fitted_camera(of.surface);
+  const scene::vec middle = scene::fitted_camera(of.surface).target;
+  const scene::mesh still = of.surface;
+  const auto started = std::chrono::steady_clock::now();
+  std::uint64_t writes = 0;
+  for (int frame = 0; frame < made.frames(); ++frame) {
+    const double turn_rad = 2 * golden::pi<double>() * frame / made.frames();
+    if (frame > 0) of.surface = scene::turned(still, middle, of.view->up, turn_rad);
+    const render::outcome done = render_shown(job, fmt::format("frame {} of {}", frame + 1, made.frames()));
+    output_file picture(made.path(frame));
+    picture.write(render::png_of(done.image));
+    picture.close();
+    picture.commit();
+    if (report) {
+      report->write(frame == 0 ? "[\n" : ",\n");
+      report->write(render::report_json(job, done, around()));
+    }
+    writes += done.device_writes;
+  }
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - started;
+  if (report) {
+    report->write("]\n");
+    report->close();
+  }
+  made.make_film();
+  if (report) report->commit();
+  fmt::print(takes_stdout(asked) ? stderr : stdout,
+             "{} frames of {} x {}: {} device writes, {:.2f} s, {:.1f} frames/s\n", made.frames(), job.width,
+             job.height, writes, taken.count(), made.frames() / taken.count());
+}
+
 void run(const CLI::App& verb, options asked) {
   const auto started = std::chrono::steady_clock::now();
   scene::read_world read = scene::read_scene(asked.scene, asked.density);
@@ -307,11 +365,25 @@ void run(const CLI::App& verb, options asked) {
   job.asked = asked.effects == "all" ? render::effects::all : render::effects::automatic;
   job.threads = asked.threads;
   const auto watch = watch_of(asked, job);
+  const auto around = [&] {
+    render::circumstances in{asked.scene, asked.engine,     asked.shading,
+                             device,      job.is_corrected, is_clocked ? 1 : job.threads};
+    in.cycles = engines.cycles();
+    in.simulated_ns = static_cast<double>(in.cycles) * harness::kClockPeriodNs;
+    in.delta_cycles = in.cycles > 0 ? sc_core::sc_delta_count() : 0;
+    list_modules(sc_core::sc_get_top_level_objects(), in.blocks);
+    in.messages = read.of.messages;
+    return in;
+  };
   if (asked.explains) {
     const render::plan planned = render::plan_of(job);
     fmt::print(takes_stdout(asked) ? stderr : stdout, "units: {}\n{}\n", fmt::join(planned.units, ", "),
                fmt::join(planned.reasons, "\n"));
     if (!makes_files(asked)) return;
+  }
+  if (asked.frames > 0) {
+    animate(asked, read.of, job, around);
+    return;
   }
   result_files files(asked);
   waves traced(asked.vcd, engines);
@@ -322,24 +394,10 @@ void run(const CLI::App& verb, options asked) {
   if (needs_device && !asked.watch.empty())
     job.watch = render::watched{watch, engines.systemc(), [&] { traced.stop(); }};
   const std::chrono::duration<double> reading = std::chrono::steady_clock::now() - started;
-  std::optional<progress> shown;
-  std::size_t before = 0;
-  job.progress = [&](std::size_t done, std::size_t total) {
-    if (!shown) shown.emplace("shading", total);
-    shown->advance(done - before);
-    before = done;
-  };
-  render::outcome made = render::render(job);
-  shown.reset();
+  render::outcome made = render_shown(job, "shading");
   traced.stop();
   made.host_s["reading"] = reading.count();
-  render::circumstances in{asked.scene, asked.engine,     asked.shading,
-                           device,      job.is_corrected, is_clocked ? 1 : job.threads};
-  in.cycles = engines.cycles();
-  in.simulated_ns = static_cast<double>(in.cycles) * harness::kClockPeriodNs;
-  in.delta_cycles = in.cycles > 0 ? sc_core::sc_delta_count() : 0;
-  list_modules(sc_core::sc_get_top_level_objects(), in.blocks);
-  in.messages = read.of.messages;
+  const render::circumstances in = around();
   files.write(job, made, in);
   traced.commit();
   files.commit();
@@ -382,6 +440,12 @@ void add_render(CLI::App& program) {
   verb->add_option("--perspective", asked->perspective,
                    "corrected: interpolated on the surface; screen: on the picture")
       ->capture_default_str();
+  verb->add_option(
+          "--animate", asked->frames,
+          "frames of a whole turn of the object, OUTPUT-0001.png and so on; the report has one for each")
+      ->check(CLI::Range(1, 9999));
+  verb->add_option("--film", asked->film,
+                   "film to write of them: .mp4 or .webm (by ffmpeg), .gif (by ffmpeg or ImageMagick)");
   verb->add_option("--watch", asked->watch,
                    "X,Y or X,Y,WIDTH,HEIGHT, or highlight, the row through the brightest one: the writes of "
                    "these pixels go through SystemC, before all others");
@@ -410,7 +474,8 @@ void add_render(CLI::App& program) {
       "  blysk render teapot --output teapot.png --report teapot.json\n"
       "  blysk render spheres --explain\n"
       "  blysk render sphere --size 64x64 --engine systemc --output sphere.png --vcd sphere.vcd\n"
-      "  blysk render torus --size 128x128 --watch 64,40,8,1 --vcd pixels.vcd --output torus.png");
+      "  blysk render torus --size 128x128 --watch 64,40,8,1 --vcd pixels.vcd --output torus.png\n"
+      "  blysk render teapot --size 128x128 --animate 8 --output turn.png");
   verb->callback([verb, asked] { run(*verb, *asked); });
 }
 

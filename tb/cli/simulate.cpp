@@ -100,7 +100,8 @@ void run(const options& asked) {
   const std::vector<port> ports = device.of().ports(device);
   csv_reader rows(asked.stimulus, stimulus_header(ports));
   output_file results(asked.results);
-  const std::unique_ptr<engine> simulated = choice.make(device, asked.vcd.empty() ? cosim::waves::off : cosim::waves::on);
+  const std::unique_ptr<engine> simulated =
+      choice.make(device, asked.vcd.empty() ? cosim::waves::off : cosim::waves::on);
   auto* const recorded = dynamic_cast<recorded_engine*>(simulated.get());
   std::optional<waves_file> waves;
   if (!asked.vcd.empty()) {

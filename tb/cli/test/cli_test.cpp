@@ -681,14 +681,21 @@ TEST_CASE("what cannot be brought to its end is refused, and nothing is left of 
   const auto to = [&](const std::string& name) { return " --results " + quoted(folder.path(name)); };
   const std::string waves = " --engine systemc --vcd " + quoted(folder.path("w.vcd"));
   // Results fit into 4 KiB, the waves do not.
-  fails("simulate" + in + to("out.csv") + waves, "w.vcd: cannot be written to its end",
-        "trap '' XFSZ; ulimit -f 8; ");
+  for (const std::string engine : {"systemc", "verilator"})
+    fails("simulate" + in + to("out.csv") + " --engine " + engine + " --vcd " + quoted(folder.path("w.vcd")),
+          "w.vcd: cannot be written to its end", "trap '' XFSZ; ulimit -f 8; ");
   fails("simulate" + in + to("in.csv"), "in.csv: is given by --stimulus and --results");
   fails("simulate" + in + to("w.vcd") + waves, "w.vcd: is given by --results and --vcd");
   fails("model blinn --points " + quoted(stimulus) + to("in.csv"),
         "in.csv: is given by --points and --results");
+  fails("simulate" + in + to("out.csv") + " --engine systemc --vcd " + quoted(folder.path("w.lxt")),
+        "w.lxt: names another form of waves, expected .vcd or .fst");
   fails("simulate" + in + to("out.csv") + " --engine systemc --vcd " + quoted(folder.path("w.fst")),
-        "w.fst: names another form of waves, expected .vcd");
+        "w.fst: is FST, which GTKWave's vcd2fst makes, and that is not installed; expected .vcd",
+        "PATH=/nonexistent; ");
+  fails("simulate --format q10" + in + to("out.csv") + " --engine verilator --vcd " +
+            quoted(folder.path("w.vcd")),
+        "engine verilator has no waves of device " + kDevice + " in format q10, expected q8, q12, q16, q24");
   fails("shine",
         "'shine' is no verb, expected simulate, render, model, export, list, vectors, check or explore");
   fails("settle --help", "'settle' is no verb");

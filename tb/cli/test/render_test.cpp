@@ -264,3 +264,67 @@ TEST_CASE("files that cannot be written leave nothing behind", "[cli][render]") 
   fails(picture + " --report " + in(folder, "no/r.json"), "cannot be");
   fails(picture + " --vcd " + in(folder, "w.vcd"), "cannot be written", "trap '' XFSZ; ulimit -f 2; ");
 }
+
+TEST_CASE("the frames of a turning object", "[cli][render]") {
+  const scratch folder;
+  const std::string scene = std::string("teapot --engine systemc") + kSmall;
+  const outcome run = run_blysk(folder, fmt::format("render {} --animate 4 --output {} --report {}", scene,
+                                                    in(folder, "a%d.png"), in(folder, "r.json")));
+  CAPTURE(run.err);
+  REQUIRE(run.status == 0);
+  const auto frame = [&](int number) { return slurp(folder.path(fmt::format("a%d-{:04}.png", number))); };
+  const json report = json::parse(slurp(folder.path("r.json")));
+  REQUIRE(report.size() == 4);
+  for (int number = 1; number <= 4; ++number) {
+    CAPTURE(number);
+    CHECK(frame(number).starts_with("\x89PNG"));
+    for (int other = 1; other < number; ++other) CHECK(frame(number) != frame(other));
+    CHECK(report[static_cast<std::size_t>(number - 1)].at("device_writes") > 0);
+  }
+  // The first is the still picture; half a turn is that of two frames.
+  rendered(folder, scene);
+  CHECK(frame(1) == slurp(folder.path("p.png")));
+  REQUIRE(run_blysk(folder, fmt::format("render {} --animate 2 --output {}", scene, in(folder, "b.png")))
+              .status == 0);
+  CHECK(slurp(folder.path("b-0002.png")) == frame(3));
+}
+
+TEST_CASE("bad use of an animation is one line, and no file is written", "[cli][render]") {
+  const scratch folder;
+  const std::string scene = std::string("sphere") + kSmall;
+  refuses(folder, scene + "--animate 0", "--animate");
+  refuses(folder, scene + "--animate 10000", "--animate");
+  refuses(folder, scene + "--animate 2 --watch highlight", "expected no --watch, --vcd or --compare");
+  refuses(folder, scene + "--film " + in(folder, "f.gif"), "expected --animate N");
+  refuses(folder, scene + "--animate 2 --film " + in(folder, "f.avi"),
+          "expected a name that ends with .mp4, .webm or .gif");
+  const outcome nothing =
+      run_blysk(folder, fmt::format("render {} --animate 2 --output {}", scene, in(folder, "x.jpg")));
+  CHECK(nothing.status == 2);
+  CHECK(nothing.err.find("expected a name that ends with .png") != std::string::npos);
+  const outcome bare = run_blysk(folder,
+                                 fmt::format("render {} --animate 2 --output {} --film {}", scene,
+                                             in(folder, "x.png"), in(folder, "f.gif")),
+                                 "PATH=/nonexistent; ");
+  CHECK(bare.status == 2);
+  CHECK(bare.err.find("--film wants ffmpeg or ImageMagick, which is not installed") != std::string::npos);
+  CHECK(folder.names().empty());
+}
+
+TEST_CASE("a film is made of the frames", "[cli][render]") {
+  const scratch folder;
+  if (std::system("command -v ffmpeg >/dev/null") != 0) {
+    WARN("ffmpeg is not installed: not tried");
+    return;
+  }
+  for (const std::string ending : {"mp4", "gif"}) {
+    CAPTURE(ending);
+    const outcome run = run_blysk(
+        folder, fmt::format("render sphere --size 33x31 --density 12 --animate 3 --output {} --film {}",
+                            in(folder, "f.png"), in(folder, "f." + ending)));
+    CAPTURE(run.err);
+    REQUIRE(run.status == 0);
+    const std::string film = slurp(folder.path("f." + ending));
+    CHECK((ending == "gif" ? film.starts_with("GIF8") : film.substr(4, 4) == "ftyp"));
+  }
+}

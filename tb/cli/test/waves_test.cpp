@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The waves that `simulate --vcd` records: every wire carries what its name says, and the layout knows every name.
 #include <algorithm>
+#include <cstdlib>
 #include <map>
 #include <sstream>
 #include <string>
@@ -12,7 +13,8 @@
 
 namespace {
 
-/// A VCD file of two-valued wires: names with their scope, "rg1.q_o", and what they carry after each time's changes.
+/// A VCD file of two-valued wires: names with their scopes in the device, "rg1.q_o", and what they carry after each time's
+/// changes.
 struct waves {
   std::map<std::string, std::string> codes;                // by name
   std::map<std::string, int> widths;                       // by name
@@ -20,7 +22,8 @@ struct waves {
 
   explicit waves(const std::string& text) {
     std::istringstream lines(text);
-    std::string line, scope;
+    std::string line;
+    std::vector<std::string> scopes{""};
     std::map<std::string, std::string> now;
     while (std::getline(lines, line)) {
       std::istringstream words(line);
@@ -29,14 +32,15 @@ struct waves {
       if (first == "$scope") {
         std::string name;
         words >> name;
-        scope = name == "SystemC" ? "" : name + ".";
+        const bool is_device = name == "SystemC" || name == "TOP" || name.starts_with("blysk_");
+        scopes.push_back(is_device ? "" : scopes.back() + name + ".");
       } else if (first == "$upscope") {
-        scope.clear();
+        scopes.pop_back();
       } else if (first == "$var") {
         std::string width = second, code, name;
         words >> width >> code >> name;
-        codes[scope + name] = code;
-        widths[scope + name] = std::stoi(width);
+        codes[scopes.back() + name] = code;
+        widths[scopes.back() + name] = std::stoi(width);
       } else if (first.starts_with('#')) {
         if (!now.empty()) values.push_back(now);
       } else if (first.starts_with('b')) {
@@ -182,4 +186,61 @@ TEST_CASE("the layout of GTKWave fits the waves of every format", "[cli][waves]"
   }
   CHECK(are_signed["add9.s_o"]);
   CHECK_FALSE(are_signed["cos18"]);
+}
+
+TEST_CASE("the waves of the exported Verilog are those of SystemC in every half period", "[cli][waves]") {
+  const std::string format = GENERATE("q8", "q24");
+  const scratch folder;
+  const auto waves_of = [&](const std::string& engine) {
+    const std::string vcd = folder.path(engine + ".vcd");
+    REQUIRE(run_blysk(folder, "simulate --format " + format + " --engine " + engine + " --stimulus " +
+                                  quoted(BLYSK_ROOT "/docs/examples/fig3.csv") + " --results " +
+                                  quoted(folder.path("r.csv")) + " --vcd " + quoted(vcd))
+                .status == 0);
+    return waves(slurp(vcd));
+  };
+  const waves systemc = waves_of("systemc");
+  const waves verilator = waves_of("verilator");
+  // SystemC's clock runs on for the half period in which the monitor reads.
+  const std::size_t common = std::min(systemc.values.size(), verilator.values.size());
+  REQUIRE(common > 40);
+  CHECK(std::max(systemc.values.size(), verilator.values.size()) - common <= 2);
+  std::size_t compared = 0;
+  for (const auto& [name, code] : systemc.codes) {
+    if (name != "clk" && name != "rst_n" && name.find('.') == std::string::npos) continue;
+    CAPTURE(name);
+    ++compared;
+    for (std::size_t i = 0; i < common; ++i) {
+      CAPTURE(i);
+      REQUIRE(verilator.value(i, name) == systemc.value(i, name));
+    }
+  }
+  CHECK(compared > 15);
+}
+
+TEST_CASE("FST has the waves of VCD", "[cli][waves]") {
+  if (std::system("command -v vcd2fst fst2vcd >/dev/null") != 0) {
+    WARN("vcd2fst is not installed: not tried");
+    return;
+  }
+  const scratch folder;
+  const auto record = [&](const std::string& name) {
+    REQUIRE(run_blysk(folder, "simulate --format q8 --engine systemc --stimulus " +
+                                  quoted(BLYSK_ROOT "/docs/examples/fig3.csv") + " --results " +
+                                  quoted(folder.path("r.csv")) + " --vcd " + quoted(folder.path(name)))
+                .status == 0);
+    return folder.path(name);
+  };
+  const waves direct(slurp(record("w.vcd")));
+  REQUIRE(std::system(
+              ("fst2vcd " + quoted(record("w.fst")) + " >" + quoted(folder.path("back.vcd"))).c_str()) == 0);
+  const waves back(slurp(folder.path("back.vcd")));
+  CHECK(folder.names().size() == 4);
+  REQUIRE(back.values.size() == direct.values.size());
+  REQUIRE(back.codes.size() == direct.codes.size());
+  for (const auto& [name, code] : direct.codes) {
+    CAPTURE(name);
+    for (std::size_t i = 0; i < direct.values.size(); ++i)
+      REQUIRE(back.value(i, name) == direct.value(i, name));
+  }
 }
