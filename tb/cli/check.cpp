@@ -38,7 +38,7 @@ class judge {
   }
 
   void look_at(const answers& block) {
-    model_->run(block.in, expected_);
+    model_->run(block.in, expected_);  // a row for each line
     for (std::size_t row = 0; row < block.lines.size(); ++row) {
       bool is_equal = true;
       for (std::size_t i = 0; i < out_.size(); ++i) {
@@ -79,7 +79,7 @@ class judge {
     if (differences_.size() == most_shown_) return;
     nlohmann::ordered_json inputs;
     for (std::size_t k = 0; k < in_.size(); ++k)
-      inputs[in_[k].column] = code_text(in_[k], block.in[k].get(row));
+      inputs[in_[k].column] = code_text(in_[k], block.in[k].get(block.vectors[row]));
     differences_.push_back({{"line", block.lines[row]},
                             {"inputs", inputs},
                             {"port", out_[i].column},

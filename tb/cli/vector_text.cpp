@@ -80,14 +80,16 @@ answer_reader::answer_reader(line_reader& lines, const selection& asked)
     : lines_(lines),
       device_(harness::arguments_of(asked)),
       in_(inputs_of(asked.of().ports(asked))),
-      out_(outputs_of(asked.of().ports(asked))) {}
+      out_(outputs_of(asked.of().ports(asked))),
+      of_(asked.of()) {}
 
 void answer_reader::read(answers& block, std::size_t most) {
   block.in = columns(in_, port::role::data);
   block.in.resize(most);
   block.out.assign(out_.size(), {});
   block.lines.clear();
-  while (block.lines.size() < most && lines_.next(block.lines.empty())) {
+  block.vectors.clear();
+  while ((block.lines.size() < most || missing_ > 0) && lines_.next(block.lines.empty() || missing_ > 0)) {
     std::string_view text = lines_.text();
     const std::string_view first = take_word(text);
     if (first.empty()) continue;
@@ -97,8 +99,12 @@ void answer_reader::read(answers& block, std::size_t most) {
       parse(block);
     }
   }
-  block.in.resize(block.lines.size());
-  count_ += block.lines.size();
+  if (missing_ > 0)
+    throw lines_.error(
+        fmt::format("is the end of the answers, expected {} pixels more of its vector", missing_));
+  const std::size_t vectors = block.vectors.empty() ? 0 : block.vectors.back() + 1;
+  block.in.resize(vectors);
+  count_ += vectors;
   if (block.lines.empty()) check_end();
 }
 
@@ -122,9 +128,26 @@ void answer_reader::check_end() const {
   }
 }
 
+/// The row of the line's vector, a new one unless the vector before has pixels to come.
+std::size_t answer_reader::vector_of_line(answers& block, const std::vector<std::int64_t>& codes) {
+  if (missing_ == 0) {
+    const std::size_t row = block.vectors.empty() ? 0 : block.vectors.back() + 1;
+    for (std::size_t i = 0; i < codes.size(); ++i) block.in[i].set(row, codes[i]);
+    missing_ = of_.pixels(block.in, row) - 1;
+    return row;
+  }
+  const std::size_t row = block.vectors.back();
+  for (std::size_t i = 0; i < codes.size(); ++i) {
+    if (block.in[i].get(row) != codes[i])
+      throw lines_.error(
+          fmt::format("begins another vector, expected {} pixels more of the one before", missing_));
+  }
+  --missing_;
+  return row;
+}
+
 void answer_reader::parse(answers& block) {
   std::string_view text = lines_.text();
-  const std::size_t row = block.lines.size();
   const auto take = [&](const port& of) {
     const std::string_view digits = take_word(text);
     if (digits.empty()) {
@@ -133,20 +156,22 @@ void answer_reader::parse(answers& block) {
     }
     return parse_code(of, digits);
   };
-  for (std::size_t i = 0; i < in_.size(); ++i) {
-    const std::int64_t code = take(in_[i]);
-    const wire_format& legal = *in_[i].carries;
+  std::vector<std::int64_t> codes;
+  for (const port& each : in_) {
+    const std::int64_t code = take(each);
+    const wire_format& legal = *each.carries;
     if (code < legal.min || code > legal.max) {
       throw lines_.error(
-          fmt::format("{} is {:x}, expected a code {:x}..{:x}", in_[i].column, code, legal.min, legal.max));
+          fmt::format("{} is {:x}, expected a code {:x}..{:x}", each.column, code, legal.min, legal.max));
     }
-    block.in[i].set(row, code);
+    codes.push_back(code);
   }
   for (std::size_t i = 0; i < out_.size(); ++i) block.out[i].push_back(take(out_[i]));
   if (const std::string_view more = take_word(text); !more.empty()) {
     throw lines_.error(
         fmt::format("has '{}' at its end, expected {} {}", shown(more), names_of(in_), names_of(out_)));
   }
+  block.vectors.push_back(vector_of_line(block, codes));
   block.lines.push_back(lines_.number());
 }
 

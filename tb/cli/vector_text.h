@@ -37,9 +37,10 @@ void append_vectors(fmt::memory_buffer& text, const std::vector<port>& inputs, c
 
 /// Inputs and outputs of some hardware, and the lines that they come from.
 struct answers {
-  columns in;
-  std::vector<std::vector<std::int64_t>> out;  ///< for each output its codes
-  std::vector<std::size_t> lines;
+  columns in;                                  ///< a row for each vector
+  std::vector<std::vector<std::int64_t>> out;  ///< for each output its codes, one for each line
+  std::vector<std::size_t> lines;              ///< where they stand
+  std::vector<std::size_t> vectors;            ///< for each line its row of `in`
 };
 
 /// Reads what hardware answered to vectors.
@@ -48,17 +49,20 @@ class answer_reader {
   /// \param lines  outlives this
   answer_reader(line_reader& lines, const selection& asked);
 
-  /// Reads up to `most` lines; none at the end.
+  /// Reads up to `most` lines, and those that follow of the last vector; none at the end. A vector has a line, or one for
+  /// each pixel if the device draws scan lines.
   /// \throws usage_error for vectors of another device, a line that is cut or too long, an input that is not legal, digits
-  ///         that are none, X and Z among them, and vectors without an answer
+  ///         that are none, X and Z among them, and vectors without an answer, or with pixels missing
   void read(answers& block, std::size_t most);
 
+  /// Vectors so far.
   std::uint64_t count() const { return count_; }
 
  private:
   void read_header();
   void check_end() const;
   void parse(answers& block);
+  std::size_t vector_of_line(answers& block, const std::vector<std::int64_t>& codes);
   std::int64_t parse_code(const port& of, std::string_view digits) const;
 
   line_reader& lines_;
@@ -66,6 +70,8 @@ class answer_reader {
   std::vector<port> in_, out_;
   std::optional<vector_header> header_;
   std::uint64_t count_ = 0;
+  const device& of_;
+  std::int64_t missing_ = 0;  // pixels of the vector that was begun
 };
 
 }  // namespace blysk::cli

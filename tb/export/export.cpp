@@ -4,13 +4,43 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "tb/export/bench.h"
 #include "tb/netlist/layout.h"
 
 namespace blysk::verilog {
 
 namespace {
 
-std::string core_text(const std::string& name, const std::string& what, const files& modules) {
+// The file set of the bench, its parameters, and the target that runs it.
+constexpr const char* kBenchFiles =
+    "  bench:\n"
+    "    file_type: verilogSource\n"
+    "    files:\n"
+    "      - {0}_bench.vt\n"
+    "parameters:\n"
+    "  vectors:\n"
+    "    datatype: file\n"
+    "    paramtype: plusarg\n"
+    "    description: what blysk vectors writes\n"
+    "  answers:\n"
+    "    datatype: file\n"
+    "    paramtype: plusarg\n"
+    "    description: file to write, for blysk check\n";
+constexpr const char* kBenchTarget =
+    "  sim:\n"
+    "    default_tool: icarus\n"
+    "    filesets: [rtl, bench]\n"
+    "    parameters: [vectors, answers]\n"
+    "    tools:\n"
+    "      icarus:\n"
+    "        iverilog_options: [-g2001]\n"
+    "      verilator:\n"
+    "        mode: binary\n"
+    "        verilator_options: [--timing, -Wno-fatal]\n"
+    "    toplevel: {0}_bench\n";
+
+std::string core_text(const std::string& name, const std::string& what, const files& modules,
+                      bool has_bench) {
   std::string list;
   for (const auto& [file, text] : modules) list += fmt::format("      - {}\n", file);
   return fmt::format(
@@ -18,6 +48,7 @@ std::string core_text(const std::string& name, const std::string& what, const fi
       "# SPDX-License-Identifier: Apache-2.0\n"
       "name: blysk:devices:{0}:{3}\n"
       "description: \"{1}\"\n"
+      "license: Apache-2.0\n"
       "filesets:\n"
       "  rtl:\n"
       "    file_type: verilogSource\n"
@@ -27,6 +58,7 @@ std::string core_text(const std::string& name, const std::string& what, const fi
       "    file_type: SDC\n"
       "    files:\n"
       "      - {0}.sdc\n"
+      "{4}"
       "targets:\n"
       "  default:\n"
       "    filesets: [rtl, 'is_toplevel? (constraints)']\n"  // a core that depends on this one has its own
@@ -38,8 +70,18 @@ std::string core_text(const std::string& name, const std::string& what, const fi
       "      verilator:\n"
       "        mode: lint-only\n"
       "        verilator_options: [-Wall]\n"
-      "    toplevel: {0}\n",
-      name, what, list, BLYSK_VERSION);
+      "    toplevel: {0}\n"
+      "  synth:\n"
+      "    default_tool: yosys\n"
+      "    filesets: [rtl, constraints]\n"
+      "    tools:\n"
+      "      yosys:\n"
+      "        arch: ice40\n"
+      "        output_format: json\n"
+      "    toplevel: {0}\n"
+      "{5}",
+      name, what, list, BLYSK_VERSION, has_bench ? fmt::format(kBenchFiles, name) : "",
+      has_bench ? fmt::format(kBenchTarget, name) : "");
 }
 
 std::string constraints_text(const netlist::elaborated& device) {
@@ -77,8 +119,10 @@ files export_files(const netlist::elaborated& device, const std::string& name, c
       module_files(device, name, fmt::format("// {}, exported from the SystemC model.\n", title), notes);
   std::string list;
   for (const auto& [file, text] : result) list += file + "\n";
-  const std::string core = core_text(name, title, result);
+  const std::string bench = bench_text(device, name);
+  const std::string core = core_text(name, title, result, !bench.empty());
   result[name + ".f"] = list;
+  if (!bench.empty()) result[name + "_bench.vt"] = bench;
   result[name + ".core"] = core;
   result[name + ".sdc"] = constraints_text(device);
   result[name + ".gtkw"] = netlist::layout_text(device, title, "TOP." + name, netlist::waves_of::verilog);

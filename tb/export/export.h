@@ -10,7 +10,8 @@
 namespace blysk::verilog {
 
 /// The device's modules (Verilog-2001, one to a file), the file list top.f, the FuseSoC description top.core, the
-/// constraints top.sdc and the layout top.gtkw, which GTKWave reads with the waves that Verilator writes of it.
+/// constraints top.sdc, the layout top.gtkw, which GTKWave reads with the waves that Verilator writes of it, and the test
+/// bench top_bench.vt of bench_text().
 /// \param device  on a plain clock; SystemC elaborates it here if it has not
 /// \param name    of the top module
 /// \param title   what the device is, in one line

@@ -3,7 +3,7 @@
 # layout.sh LAYOUT_SHOWS DIRECTORY icarus|verilator: each row of the layout beside an export shows a signal of the waves that
 # the simulator writes of it.
 set -euo pipefail
-layout_shows=$1
+layout_shows=$(readlink -f "$1")
 directory=$(readlink -f "$2")
 lists=("$directory"/*.f)
 top=$(basename "${lists[0]}" .f)
@@ -31,12 +31,12 @@ END
     cat >"$work/main.cpp" <<'END'
 #include <verilated_vcd_c.h>
 #include "device.h"
-int main() {
+int main(int, char** arguments) {
   Verilated::traceEverOn(true);
   device top;
   VerilatedVcdC waves;
   top.trace(&waves, 99);
-  waves.open(WAVES);
+  waves.open(arguments[1]);
   top.eval();
   waves.dump(0);
   top.clk = 1;
@@ -44,9 +44,8 @@ int main() {
   waves.dump(1);
 }
 END
-    verilator --cc --exe --build --trace --Mdir "$work/made" --prefix device --top-module "$top" -o bench \
-      -CFLAGS "-DWAVES='\"$work/waves.vcd\"'" "${sources[@]}" "$work/main.cpp" >"$work/log" 2>&1 || { cat "$work/log" >&2 && exit 1; }
-    "$work/made/bench"
+    verilator --cc --exe --build --trace --Mdir "$work/made" --prefix device --top-module "$top" -o bench "${sources[@]}" "$work/main.cpp" >"$work/log" 2>&1 || { cat "$work/log" >&2 && exit 1; }
+    "$work/made/bench" "$work/waves.vcd"
     ;;
 esac
 "$layout_shows" --all "$work/waves.vcd" "$top.gtkw"

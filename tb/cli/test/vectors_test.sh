@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# vectors_test.sh ROOT BLYSK DEVICE CASE: `blysk check` judges hardware that is driven by the benches of docs/examples.
+# vectors_test.sh ROOT BLYSK DEVICE CASE: `blysk check` judges hardware that is driven by the bench beside its export, and a
+# model in Python.
 #   icarus     the exported Verilog of q8 is equal, each of ten faults planted in it is found
 #   verilator  the exported Verilog of q12 is equal under Verilator
 #   python     the model in Python is equal, and with another constant is not
@@ -24,7 +25,7 @@ case $case in
     cp -r "$root/rtl_verilog/${device//-/_}_q8" export
     "$blysk" vectors --device "$device" --format q8 --output vectors.txt
     simulated() {
-      iverilog -g2001 -DDEVICE="${top}_q8" -DF=8 -o bench "$examples/vectors_bench.v" "$1"/*.v
+      iverilog -g2001 -s "${top}_q8_bench" -o bench "$1"/*.v "$1"/*.vt
       vvp -n bench >/dev/null
     }
     simulated export
@@ -61,9 +62,10 @@ case $case in
     ;;
   verilator)
     "$blysk" vectors --device "$device" --format q12 --output vectors.txt
-    verilator --binary --timing -Wno-fatal -Wno-lint -DDEVICE="${top}_q12" -DF=12 --top-module vectors_bench -Mdir made \
-      "$examples/vectors_bench.v" "$root/rtl_verilog/${device//-/_}_q12"/*.v >log 2>&1 || { cat log >&2 && exit 1; }
-    made/Vvectors_bench >/dev/null
+    export=$root/rtl_verilog/${device//-/_}_q12
+    verilator --binary --timing -Wno-fatal -Wno-lint --top-module "${top}_q12_bench" -Mdir made -o bench \
+      "$export"/*.v "$export"/*.vt >log 2>&1 || { cat log >&2 && exit 1; }
+    made/bench >/dev/null
     judged 0 q12
     ;;
   python)

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/export/bench.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <functional>
+#include <vector>
+
+namespace blysk::verilog {
+
+namespace {
+
+using ports_list = std::vector<port>;
+using texts = std::vector<std::string>;
+
+texts texts_of(const ports_list& ports, const std::function<std::string(const port&)>& text) {
+  texts made;
+  std::ranges::transform(ports, std::back_inserter(made), text);
+  return made;
+}
+
+std::string range_of(const port& of) {
+  return of.carries ? fmt::format("[{}:0] ", of.width() - 1) : "";
+}
+
+const port& first_of(const ports_list& ports, port::role role) {
+  return ports[find_role(ports, role)];
+}
+
+/// Data that a strobe of the edge writes.
+ports_list written_by(const ports_list& ports, write_edge edge) {
+  ports_list found;
+  for (const port& strobe : of_role(ports, port::role::strobe)) {
+    for (const port& data : of_role(ports, port::role::data)) {
+      if (strobe.edge == edge && strobe.writes == data.name) found.push_back(data);
+    }
+  }
+  return found;
+}
+
+std::string assignments(const ports_list& to, const char* what) {
+  std::string text;
+  for (const port& each : to) text += fmt::format("      {0} = {1}{0};\n", each.name, what);
+  return text;
+}
+
+std::string strobes_to(const ports_list& ports, write_edge edge, int level) {
+  std::string text;
+  for (const port& each : of_role(ports, port::role::strobe)) {
+    if (each.edge == edge) text += fmt::format("      {} = {};\n", each.name, level);
+  }
+  return text;
+}
+
+/// A row of a device with strobes: data is there while its register should take it, and its complement before and after.
+std::string put_by_strobes(const ports_list& ports) {
+  const ports_list level = written_by(ports, write_edge::level);
+  const ports_list trailing = written_by(ports, write_edge::trailing);
+  const std::string fall = fmt::format("      @(negedge {});\n", first_of(ports, port::role::clock).name);
+  std::string text = assignments(level, "given_") + assignments(trailing, "~given_") +
+                     strobes_to(ports, write_edge::level, 1) + strobes_to(ports, write_edge::trailing, 1) +
+                     fall + strobes_to(ports, write_edge::level, 0) +
+                     strobes_to(ports, write_edge::trailing, 0) + assignments(level, "~given_") +
+                     assignments(trailing, "given_") + fall + assignments(trailing, "~given_");
+  for (int cycle = 0; cycle < first_of(ports, port::role::valid).settling_cycles; ++cycle) text += fall;
+  return text + "      answer;\n";
+}
+
+/// A row of a device with start, ready and valid. The next one comes when all results of this one are there.
+std::string put_by_handshake(const ports_list& ports) {
+  const ports_list data = of_role(ports, port::role::data);
+  const std::string& clk = first_of(ports, port::role::clock).name;
+  const std::string& start = first_of(ports, port::role::start).name;
+  const std::string wait =
+      fmt::format("      while (!{}) @(negedge {});\n", first_of(ports, port::role::ready).name, clk);
+  return wait + assignments(data, "given_") +
+         fmt::format("      {0} = 1;\n      @(negedge {1});\n      {0} = 0;\n", start, clk) +
+         assignments(data, "~given_") + wait +
+         fmt::format("      repeat ({}) @(negedge {});\n",
+                     first_of(ports, port::role::valid).settling_cycles + 1, clk);
+}
+
+}  // namespace
+
+std::string bench_text(const netlist::elaborated& device, const std::string& name) {
+  ports_list ports;
+  for (const auto& each : device.ports()) {
+    if (!each->what.is_inner) ports.push_back(each->what);
+  }
+  const protocol talks = protocol_of(ports);
+  if (talks == protocol::none) return {};
+  const ports_list data = of_role(ports, port::role::data);
+  const ports_list results = of_role(ports, port::role::result);
+  const std::string clk = first_of(ports, port::role::clock).name;
+  const std::string reset = first_of(ports, port::role::reset).name;
+
+  std::string declarations, idle;
+  for (const port& each : ports) {
+    declarations += fmt::format("  {} {}{};\n", each.is_input() ? "reg" : "wire", range_of(each), each.name);
+    if (each.is_input() && each.name != clk && each.name != reset)
+      idle += fmt::format("    {} = 0;\n", each.name);
+  }
+  for (const port& each : data) declarations += fmt::format("  reg {}given_{};\n", range_of(each), each.name);
+  const texts connections =
+      texts_of(ports, [](const port& each) { return fmt::format(".{0}({0})", each.name); });
+  const texts given = texts_of(data, [](const port& each) { return "given_" + each.name; });
+  texts answered = given;
+  std::ranges::transform(results, std::back_inserter(answered), &port::name);
+  const auto words = [](std::size_t count) { return fmt::format("{}", fmt::join(texts(count, "%h"), " ")); };
+  const std::string read =
+      fmt::format("taken = $fscanf(vectors, \"{}\", {});", words(data.size()), fmt::join(given, ", "));
+  const bool has_strobes = talks == protocol::strobes;
+  return fmt::format(
+      R"(// SPDX-License-Identifier: Apache-2.0
+// Bench of {0}: puts vectors into it and writes them back with the outputs appended.
+//   blysk vectors ... --output vectors.txt
+//   iverilog -g2001 -o bench -s {0}_bench {0}_bench.vt -c {0}.f && vvp -n bench +vectors=vectors.txt +answers=answers.txt
+//   blysk check ... --answers answers.txt
+`timescale 1ns / 1ps
+module {0}_bench;
+{1}
+  {0} device ({2});
+
+  always #5 {3} = !{3};
+
+  reg [8*1024-1:0] path, header;
+  integer vectors, answers, taken;
+
+  task answer;
+    $fdisplay(answers, "{4}", {5});
+  endtask
+{6}
+  task put;  // begins and ends at a falling edge
+    begin
+{7}    end
+  endtask
+
+  initial begin
+    if (!$value$plusargs("vectors=%s", path)) path = "vectors.txt";
+    vectors = $fopen(path, "r");
+    if (vectors == 0) begin
+      $display("%0s cannot be read, expected what blysk vectors writes; +vectors=FILE names it", path);
+      $finish(1);
+    end
+    if (!$value$plusargs("answers=%s", path)) path = "answers.txt";
+    answers = $fopen(path, "w");
+    taken = $fgets(header, vectors);
+    $fwrite(answers, "%0s", header);
+    {3} = 0;
+    {8} = 0;
+{9}    @(negedge {3});
+    @(negedge {3}) {8} = 1;
+    {10}
+    while (taken == {11}) begin
+      put;
+      {10}
+    end
+    $fclose(answers);
+    $finish(0);
+  end
+endmodule
+)",
+      name, declarations, fmt::join(connections, ", "), clk, words(answered.size()),
+      fmt::join(answered, ", "),
+      has_strobes ? ""
+                  : fmt::format("\n  always @(posedge {}) if ({}) answer;\n", clk,
+                                first_of(ports, port::role::valid).name),
+      has_strobes ? put_by_strobes(ports) : put_by_handshake(ports), reset, idle, read, data.size());
+}
+
+}  // namespace blysk::verilog
