@@ -210,7 +210,9 @@ class verilated : public Base {
     glue_.top.eval();
     for (std::uint64_t i = 0; i < kResetCycles; ++i) {
       finish_cycle();
-      fall();
+      clock(false);
+      // The last half period goes on where a row is written by strobes.
+      if (i + 1 < kResetCycles || Glue::kProtocol == protocol::handshake) show();
     }
   }
 

@@ -25,6 +25,7 @@ struct waves {
     std::string line;
     std::vector<std::string> scopes{""};
     std::map<std::string, std::string> now;
+    bool is_header = true;
     while (std::getline(lines, line)) {
       std::istringstream words(line);
       std::string first, second;
@@ -41,6 +42,8 @@ struct waves {
         words >> width >> code >> name;
         codes[scopes.back() + name] = code;
         widths[scopes.back() + name] = std::stoi(width);
+      } else if (is_header) {
+        is_header = first != "$enddefinitions";
       } else if (first.starts_with('#')) {
         if (!now.empty()) values.push_back(now);
       } else if (first.starts_with('b')) {
@@ -50,6 +53,12 @@ struct waves {
       }
     }
     values.push_back(now);
+  }
+
+  /// The bits of a wire, which may be more than 64, without leading zeros.
+  std::string bits(std::size_t i, const std::string& name) const {
+    const std::string& all = values[i].at(codes.at(name));
+    return all.substr(std::min(all.find('1'), all.size()));
   }
 
   /// \param is_signed  two's complement
@@ -188,7 +197,8 @@ TEST_CASE("the layout of GTKWave fits the waves of every format", "[cli][waves]"
   CHECK_FALSE(are_signed["cos18"]);
 }
 
-TEST_CASE("the waves of the exported Verilog are those of SystemC in every half period", "[cli][waves]") {
+TEST_CASE("the waves of the exported Verilog are those of SystemC in every half period, a cycle earlier",
+          "[cli][waves]") {
   const std::string format = GENERATE("q8", "q24");
   const scratch folder;
   const auto waves_of = [&](const std::string& engine) {
@@ -201,18 +211,19 @@ TEST_CASE("the waves of the exported Verilog are those of SystemC in every half 
   };
   const waves systemc = waves_of("systemc");
   const waves verilator = waves_of("verilator");
-  // SystemC's clock runs on for the half period in which the monitor reads.
-  const std::size_t common = std::min(systemc.values.size(), verilator.values.size());
+  // SystemC's host lets a cycle pass after the reset, and runs on for the half period in which its monitor reads.
+  constexpr std::size_t kLater = 2;
+  const std::size_t common = verilator.values.size();
   REQUIRE(common > 40);
-  CHECK(std::max(systemc.values.size(), verilator.values.size()) - common <= 2);
+  CHECK(systemc.values.size() == common + kLater);
   std::size_t compared = 0;
   for (const auto& [name, code] : systemc.codes) {
-    if (name != "clk" && name != "rst_n" && name.find('.') == std::string::npos) continue;
+    if (name != "clk" && name.find('.') == std::string::npos) continue;
     CAPTURE(name);
     ++compared;
-    for (std::size_t i = 0; i < common; ++i) {
+    for (std::size_t i = 0; i + 1 < common; ++i) {  // SystemC ends in the middle of the last one
       CAPTURE(i);
-      REQUIRE(verilator.value(i, name) == systemc.value(i, name));
+      REQUIRE(verilator.bits(i, name) == systemc.bits(i + kLater, name));
     }
   }
   CHECK(compared > 15);
