@@ -11,6 +11,7 @@
 #include "rtl_sysc/devices/angle/formats.h"
 #include "tb/device.h"
 #include "tb/devices/angle/contents.h"
+#include "tb/devices/word_lengths.h"
 #include "tb/visit_format.h"
 
 namespace blysk::angle_device {
@@ -185,30 +186,11 @@ class angle_device_of final : public device {
   /// The stimulus keeps the fraction bits of its format.
   std::unique_ptr<engine> make_bit(const selection& asked, const word_lengths& bits) const override {
     widths_of_model chosen = bits_of(asked);
-    const struct {
-      const char* name;
-      int& width;
-      int most;
-    } known[] = {{"address", chosen.address, 16},
-                 {"limited", chosen.limited, chosen.angle},
-                 {"factor", chosen.factor, 30},
-                 {"brdf", chosen.brdf, 30}};
-    for (const auto& [name, width] : bits) {
-      const auto found = std::ranges::find_if(known, [&](const auto& each) { return each.name == name; });
-      if (found == std::end(known)) {
-        throw std::invalid_argument(
-            fmt::format("word length {} does not exist, expected address, limited, factor, brdf", name));
-      }
-      if (width < 1 || width > found->most) {
-        throw std::invalid_argument(
-            fmt::format("word length {} {} is outside its range, expected 1..{}", name, width, found->most));
-      }
-      found->width = width;
-    }
-    for (const auto& each : known) {
-      if (!bits.contains(each.name))
-        throw std::invalid_argument(fmt::format("word length {} is missing", each.name));
-    }
+    const known_width known[] = {{"address", &chosen.address, 1, 16},
+                                 {"limited", &chosen.limited, 1, chosen.angle},
+                                 {"factor", &chosen.factor, 1, 30},
+                                 {"brdf", &chosen.brdf, 1, 30}};
+    take_widths(bits, known);
     if (chosen.limited + chosen.factor > 57 || chosen.limited + chosen.factor < chosen.address) {
       throw std::invalid_argument(
           fmt::format("word lengths limited {} and factor {} do not go together, expected {}..57 in sum",

@@ -7,6 +7,7 @@
 
 #include "rtl_sysc/devices/arccos/formats.h"
 #include "tb/device.h"
+#include "tb/devices/word_lengths.h"
 #include "tb/visit_format.h"
 
 namespace blysk::arccos_device {
@@ -19,6 +20,12 @@ struct widths_of_model {
   int segments;  ///< address bits of the table
   int angle;
 };
+
+template <class Q>
+widths_of_model bits_of() {
+  using formats = arccos_formats<Q>;
+  return {formats::cos_bits, formats::root_bits, formats::segment_bits, formats::angle_bits};
+}
 
 /// The blocks' laws in the order of the clock edges.
 class bit_engine final : public engine {
@@ -117,29 +124,10 @@ class arccos_of final : public device {
   /// The stimulus keeps the fraction bits of its format.
   std::unique_ptr<engine> make_bit(const selection& asked, const word_lengths& bits) const override {
     widths_of_model chosen = visit_format(asked.format(), []<class Q>() { return bits_of<Q>(); });
-    const struct {
-      const char* name;
-      int& width;
-      int least, most;
-    } known[] = {{"root", chosen.root, asked.fraction() / 2, 30},
-                 {"segments", chosen.segments, 1, std::min(asked.fraction() - 1, 16)},
-                 {"angle", chosen.angle, 1, 30}};
-    for (const auto& [name, width] : bits) {
-      const auto found = std::ranges::find_if(known, [&](const auto& each) { return each.name == name; });
-      if (found == std::end(known)) {
-        throw std::invalid_argument(
-            fmt::format("word length {} does not exist, expected root, segments, angle", name));
-      }
-      if (width < found->least || width > found->most) {
-        throw std::invalid_argument(fmt::format("word length {} {} is outside its range, expected {}..{}",
-                                                name, width, found->least, found->most));
-      }
-      found->width = width;
-    }
-    for (const auto& each : known) {
-      if (!bits.contains(each.name))
-        throw std::invalid_argument(fmt::format("word length {} is missing", each.name));
-    }
+    const known_width known[] = {{"root", &chosen.root, asked.fraction() / 2, 30},
+                                 {"segments", &chosen.segments, 1, std::min(asked.fraction() - 1, 16)},
+                                 {"angle", &chosen.angle, 1, 30}};
+    take_widths(bits, known);
     if (chosen.angle > 2 * chosen.root) {
       throw std::invalid_argument(
           fmt::format("word length angle {} is outside its range, expected at most twice root {}",
@@ -157,13 +145,6 @@ class arccos_of final : public device {
   /// One half, where the root is none of the table's points.
   std::vector<std::int64_t> corners(const selection& asked, std::span<const std::int64_t>) const override {
     return {std::int64_t{1} << (asked.fraction() - 1)};
-  }
-
- private:
-  template <class Q>
-  static widths_of_model bits_of() {
-    using formats = arccos_formats<Q>;
-    return {formats::cos_bits, formats::root_bits, formats::segment_bits, formats::angle_bits};
   }
 };
 
