@@ -48,22 +48,22 @@ struct scan_control : sc_core::sc_module {
   }
   /// The state after a clock edge.
   template <class T>
-  static constexpr T next(T start, T carry, T state) {
+  static constexpr T next(T start, T ends, T state) {
     using law::select;
     const T idle = static_cast<T>(0);
     const T first = static_cast<T>(1);
     const T draw = static_cast<T>(2);
     return select(law::starts(start, state), first,
-                  select(is_first(state), draw, select(draws(state) && !carry, draw, idle)));
+                  select(is_first(state), draw, select(draws(state) && !ends, draw, idle)));
   }
 
   template <class Reader>
   void describe(Reader& reader) const {
     reader.block_is("scan_control", "Control: takes a line, prepares its first pixel, draws until carry_i.");
     const auto start = reader.read(start_i);
-    const auto carry = reader.read(carry_i);
+    const auto ends = reader.read(carry_i);
     const auto held = reader.read(now);
-    reader.reg(clk, rst_n, reader.constant(1), next(start, carry, held), now, state{});
+    reader.reg(clk, rst_n, reader.constant(1), next(start, ends, held), now, state{});
     reader.drive(load_o, law::starts(start, held));
     reader.drive(first_o, is_first(held));
     reader.drive(step_o, steps(held));

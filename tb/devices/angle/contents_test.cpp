@@ -29,8 +29,9 @@ real50 angle_of(std::uint64_t millionths, int n) {
 TEST_CASE("the words of ROM 2 are 2/pi acos(Q^(1/k)) / acos(Q^(1/n)), rounded", "[contents]") {
   const real50 two_by_pi = 2 / golden::pi<real50>();
   // [A]'s Q, and its neighbours that strain the arithmetic.
-  for (const std::uint64_t q :
-       {1, 100000, 200000, 300000, 400000, 500000, 600000, 700000, 800000, 900000, 999999}) {
+  constexpr std::uint64_t kLevels[] = {1,      100000, 200000, 300000, 400000, 500000,
+                                       600000, 700000, 800000, 900000, 999999};
+  for (const std::uint64_t q : kLevels) {
     std::vector<real50> angles(1001);
     for (int n = 1; n <= 1000; ++n) angles[static_cast<std::size_t>(n)] = angle_of(q, n);
     for (const int k : {1, 2, 3, 4, 5, 15}) {
