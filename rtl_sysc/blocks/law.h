@@ -26,6 +26,14 @@ constexpr T lookup(const std::array<std::int64_t, Words>& table, T index) {
              : static_cast<T>(0);
 }
 
+/// The same of a table's first `words` words, and 0 beyond them.
+template <std::size_t Most, class T>
+constexpr T lookup(const std::array<std::int64_t, Most>& table, std::size_t words, T index) {
+  return 0 <= index && static_cast<std::uint64_t>(index) < words
+             ? static_cast<T>(table[static_cast<std::size_t>(index)])
+             : static_cast<T>(0);
+}
+
 /// True if half a unit can be added to any number of `width` bits in 64 bits.
 constexpr bool has_headroom(int width) {
   return width < 64;
@@ -90,10 +98,38 @@ constexpr T is_negative(T a) {
   return static_cast<T>(a < static_cast<T>(0));
 }
 
+/// a without its sign.
+template <class T>
+constexpr T magnitude(T a) {
+  return select(a < static_cast<T>(0), static_cast<T>(-a), a);
+}
+
+/// The smaller one.
+template <class T>
+constexpr T smaller(T a, T b) {
+  return select(a < b, a, b);
+}
+
 /// a, or 0 where `off` is one: each bit through an AND gate.
 template <class T>
 constexpr T gate(T a, T off) {
   return select(off, static_cast<T>(0), a);
+}
+
+/// a - b.
+template <class T>
+constexpr T subtract(T a, T b) {
+  return static_cast<T>(a - b);
+}
+
+/// a without its `bits` lowest bits, and these alone.
+template <class T>
+constexpr T drop(T a, int bits) {
+  return static_cast<T>(a >> bits);
+}
+template <class T>
+constexpr T low_bits(T a, int bits) {
+  return static_cast<T>(a & static_cast<T>((std::int64_t{1} << bits) - 1));
 }
 
 /// a / 2 without the last bit, towards -infinity.
@@ -112,6 +148,39 @@ constexpr T first_bit(T a, int width) {
 template <class T>
 constexpr T other_bits(T a, int width) {
   return static_cast<T>((a << 1) & static_cast<T>((std::int64_t{1} << width) - 1));
+}
+
+/// A square root digit by digit. The two bits above the `place` lowest ones of what is left of the radicand, and what is left
+/// after them.
+template <class T>
+constexpr T two_bits(T rest, int place) {
+  return drop(rest, place);
+}
+template <class T>
+constexpr T after_two_bits(T rest, int place) {
+  return move_up(low_bits(rest, place), 2);
+}
+/// The remainder with two more bits of the radicand.
+template <class T>
+constexpr T longer_remainder(T bits, T remainder) {
+  return static_cast<T>((remainder << 2) + bits);
+}
+/// What a digit of one takes off it: 4 root + 1.
+template <class T>
+constexpr T root_trial(T root) {
+  return static_cast<T>((root << 2) + static_cast<T>(1));
+}
+/// Remainder and root after a digit.
+template <class T>
+constexpr T root_remainder(T bits, T remainder, T root) {
+  const T longer = longer_remainder(bits, remainder);
+  const T trial = root_trial(root);
+  return select(longer < trial, longer, static_cast<T>(longer - trial));
+}
+template <class T>
+constexpr T root_digits(T bits, T remainder, T root) {
+  const T is_zero = static_cast<T>(longer_remainder(bits, remainder) < root_trial(root));
+  return select(is_zero, static_cast<T>(root << 1), static_cast<T>((root << 1) + static_cast<T>(1)));
 }
 
 /// A counter of steps: an operation starts while none is left.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Speeds that bench_golden measured on one machine, kept in docs/tables/speed.csv so that pages can quote them.
+/// Speeds that bench_golden measured on one machine, kept in docs/tables/speed.csv so that pages can quote them, and what
+/// synthesis tools measured of devices.
 #pragma once
 
 #include <string_view>
@@ -10,5 +11,11 @@ namespace blysk::claims {
 /// \param name  row, such as "double/schlick"
 /// \throws std::runtime_error if there is no such row
 double recorded_speed(std::string_view name);
+
+/// What synthesis tools measured of a device in q8, kept in docs/tables/arccos/price.csv.
+/// \param device  row, such as "quadratic"
+/// \param column  such as "path_ns"
+/// \throws std::runtime_error if there is no such row or column
+double recorded_price(std::string_view device, std::string_view column);
 
 }  // namespace blysk::claims

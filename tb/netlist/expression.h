@@ -109,5 +109,11 @@ template <std::size_t Words>
 expression lookup(const std::array<std::int64_t, Words>& table, const expression& index) {
   return lookup(std::vector<std::int64_t>(table.begin(), table.end()), index);
 }
+/// The same of the table's first `words` words.
+template <std::size_t Most>
+expression lookup(const std::array<std::int64_t, Most>& table, std::size_t words, const expression& index) {
+  return lookup(std::vector<std::int64_t>(table.begin(), table.begin() + static_cast<std::ptrdiff_t>(words)),
+                index);
+}
 
 }  // namespace blysk::netlist

@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <map>
+#include <string>
 
 #include "tb/claims/measure/over_exponents.h"
+#include "tb/claims/speed.h"
 
 namespace blysk::claims {
 
@@ -32,6 +35,22 @@ figures errors_of_lines() {
     add_worst(result, key, worst_whole(which));
     add_worst_percent(result, fmt::format("{}_056", key), worst_relative(which, epicentre::level_056));
   }
+  return result;
+}
+
+/// Time of a point, of one by itself and of one in a scan line.
+figures times_of_angle() {
+  figures result;
+  std::map<std::string, double> times;
+  for (const char* device : {"quadratic", "angle", "arccos"}) {
+    const double cycles = recorded_price(device, "cycles");
+    const double path = recorded_price(device, "path_ns");
+    result[fmt::format("{}_cycles", device)] = cycles;
+    result[fmt::format("{}_ns", device)] = path;
+    times[device] = cycles * path;
+  }
+  result["apart"] = (times["arccos"] + times["angle"]) / times["quadratic"];
+  result["line"] = recorded_price("angle", "path_ns") / times["quadratic"];
   return result;
 }
 
@@ -63,6 +82,7 @@ void measure_patent(measurements& into) {
   };
   into["P4"] = distance_of_lines;
   into["P5"] = errors_of_lines;
+  into["P8"] = times_of_angle;
   into["P6"] = [] {
     const double words = std::exp2(std::ceil(std::log2(kMaxExponent)));
     const double width = 8 * 2048 / words;

@@ -57,7 +57,7 @@ function(blysk_case name program pattern device format options quick label_besid
   endif()
   # A name that no case has is a success for Catch2 2.
   set_tests_properties("${name}" PROPERTIES LABELS "${label};${label_besides}" FAIL_REGULAR_EXPRESSION "No test"
-    ENVIRONMENT "BLYSK_DEVICE=${device};BLYSK_FORMAT=${format};BLYSK_OPTIONS=${options}")
+    ENVIRONMENT "BLYSK_DEVICE=${device};BLYSK_FORMAT=${format};BLYSK_OPTIONS=${options};BLYSK_SIMULATED=${simulated}")
 endfunction()
 
 # blysk_narrow_nets(DEVICE): each line of the device's narrow.txt as a test.
@@ -95,6 +95,7 @@ function(blysk_device_unit_tests device)
   set(family "")
   set(has_bound OFF)
   set(protocol strobes)
+  set(simulated "")  # up to so many inputs are all tried in SystemC; as many as take two seconds with strobes if empty
   include(${own}/tests.cmake OPTIONAL)
   set(sources ${here}/equality_test.cpp ${here}/inputs_test.cpp)
   if(protocol STREQUAL strobes)
