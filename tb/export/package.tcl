@@ -19,12 +19,16 @@ proc expect {what got wanted} {
 
 # The list and the FuseSoC description: all modules, all files.
 set modules [glob -directory $folder -tails *.v]
+set benches [glob -nocomplain -directory $folder -tails *.vt]
 expect "$top.f" [split [string trim [text $top.f]] \n] $modules
 set files {}
 foreach line [split [text $top.core] \n] {
   if {[regexp {^      - (\S+)$} $line -> name]} {lappend files $name}
-  if {[regexp {^ *toplevel: (.*)$} $line -> name]} {expect "$top.core, toplevel" $name $top}
+  if {[regexp {^ *toplevel: (.*)$} $line -> name]} {lappend tops $name}
 }
+set bench_tops {}
+foreach bench $benches {lappend bench_tops [file rootname $bench]}
+expect "$top.core, toplevels" [lsort -unique $tops] [concat $top $bench_tops]
 # What a core that depends on this one gets: modules, no clock of ours.
 regexp {\n  default:\n    filesets: \[([^\n]*)\]\n} [text $top.core] -> filesets
 foreach fileset [split $filesets ,] {
@@ -35,8 +39,8 @@ regexp -line {^name: (.*)$} [text $top.core] -> name
 if {![regexp "^blysk:devices:$top:\\d+\\.\\d+\\.\\d+\$" $name]} {expect "$top.core, name" $name "blysk:devices:$top:VERSION"}
 
 expect "$top.core, first line" [lindex [split [text $top.core] \n] 0] CAPI=2:
-expect "$top.core" $files [concat $modules $top.sdc]
-expect folder [glob -directory $folder -tails *] [concat $modules $top.f $top.core $top.sdc]
+expect "$top.core" $files [concat $modules $benches $top.sdc]
+expect folder [glob -directory $folder -tails *] [concat $modules $benches $top.f $top.core $top.sdc $top.gtkw]
 
 # The constraints, sourced with commands that write down the ports.
 foreach direction {input output} {
