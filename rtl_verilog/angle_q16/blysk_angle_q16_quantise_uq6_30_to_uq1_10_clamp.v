@@ -12,7 +12,7 @@ module blysk_angle_q16_quantise_uq6_30_to_uq1_10_clamp (
   wire [19:0] unused_sum_low = sum[19:0];  // below the last place of the result
   wire [16:0] shifted = sum[36:20];
 
-  assign y_o = (shifted < 17'd0) ? 11'd0 : (shifted[16:10] == 7'd0) ? shifted[10:0] : 11'd1024;
+  assign y_o = (shifted[16:10] == 7'd0) ? shifted[10:0] : 11'd1024;
 
 endmodule
 

@@ -12,7 +12,7 @@ module blysk_angle_q16_quantise_uq8_26_to_uq1_16_clamp (
   wire [9:0] unused_sum_low = sum[9:0];  // below the last place of the result
   wire [24:0] shifted = sum[34:10];
 
-  assign y_o = (shifted < 25'd0) ? 17'd0 : (shifted < 25'd131071) ? shifted[16:0] : 17'd131071;
+  assign y_o = (shifted < 25'd131071) ? shifted[16:0] : 17'd131071;
 
 endmodule
 

@@ -12,7 +12,7 @@ module blysk_angle_q8_quantise_uq6_28_to_uq1_9_clamp (
   wire [18:0] unused_sum_low = sum[18:0];  // below the last place of the result
   wire [15:0] shifted = sum[34:19];
 
-  assign y_o = (shifted < 16'd0) ? 10'd0 : (shifted[15:9] == 7'd0) ? shifted[9:0] : 10'd512;
+  assign y_o = (shifted[15:9] == 7'd0) ? shifted[9:0] : 10'd512;
 
 endmodule
 

@@ -12,7 +12,7 @@ module blysk_angle_q8_quantise_uq8_18_to_uq1_15_clamp (
   wire [2:0] unused_sum_low = sum[2:0];  // below the last place of the result
   wire [23:0] shifted = sum[26:3];
 
-  assign y_o = (shifted < 24'd0) ? 16'd0 : (shifted < 24'd65535) ? shifted[15:0] : 16'd65535;
+  assign y_o = (shifted < 24'd65535) ? shifted[15:0] : 16'd65535;
 
 endmodule
 

@@ -153,7 +153,8 @@ module blysk_arccos_q12_line_table_uq1_12_to_uq1_17 (
   endfunction
 
   wire [6:0] shifted = a_i[12:6];
-  wire [14:0] product = rom2(shifted) * (a_i[5:0] & 6'd63);
+  wire [5:0] bits = a_i[5:0] & 6'd63;
+  wire [14:0] product = rom2(shifted) * bits;
   wire [14:0] sum = product + 15'd32;
   wire [5:0] unused_sum_low = sum[5:0];  // below the last place of the result
 

@@ -12,14 +12,14 @@ module blysk_arccos_q12_square_root_steps_uq1_12_to_uq1_17 (
     output wire [17:0] root_o  // UQ1.17
 );
 
+  reg  [17:0] digits;  // UQ1.17
   reg  [18:0] remainder;  // UQ19.0
   reg  [13:0] rest;  // UQ2.12
-  reg  [17:0] root;  // UQ1.17
   wire flag = load_i || step_i;
   wire [20:0] sum = {remainder, 2'b0} + {19'b0, rest[13:12]};
-  wire [19:0] sum2 = {root, 2'b0} + 20'd1;
+  wire [19:0] sum2 = {digits, 2'b0} + 20'd1;
 
-  assign root_o = root;
+  assign root_o = digits;
   always @(posedge clk) begin
     if (!rst_n) begin
       rest <= 14'd0;
@@ -36,9 +36,9 @@ module blysk_arccos_q12_square_root_steps_uq1_12_to_uq1_17 (
   end
   always @(posedge clk) begin
     if (!rst_n) begin
-      root <= 18'd0;
+      digits <= 18'd0;
     end else if (flag) begin
-      root <= load_i ? 18'd0 : ({remainder, 2'b0} + {19'b0, rest[13:12]} < {1'b0, {root, 2'b0} + 20'd1}) ? {root[16:0], 1'b0} : {root[16:0], 1'b0} + 18'd1;
+      digits <= load_i ? 18'd0 : ({remainder, 2'b0} + {19'b0, rest[13:12]} < {1'b0, {digits, 2'b0} + 20'd1}) ? {digits[16:0], 1'b0} : {digits[16:0], 1'b0} + 18'd1;
     end
   end
 

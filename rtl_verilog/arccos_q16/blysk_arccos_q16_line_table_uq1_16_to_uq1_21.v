@@ -537,7 +537,8 @@ module blysk_arccos_q16_line_table_uq1_16_to_uq1_21 (
   endfunction
 
   wire [8:0] shifted = a_i[16:8];
-  wire [18:0] product = rom2(shifted) * (a_i[7:0] & 8'd255);
+  wire [7:0] bits = a_i[7:0] & 8'd255;
+  wire [18:0] product = rom2(shifted) * bits;
   wire [18:0] sum = product + 19'd128;
   wire [7:0] unused_sum_low = sum[7:0];  // below the last place of the result
 

@@ -12,14 +12,14 @@ module blysk_arccos_q16_square_root_steps_uq1_16_to_uq1_21 (
     output wire [21:0] root_o  // UQ1.21
 );
 
+  reg  [21:0] digits;  // UQ1.21
   reg  [22:0] remainder;  // UQ23.0
   reg  [17:0] rest;  // UQ2.16
-  reg  [21:0] root;  // UQ1.21
   wire flag = load_i || step_i;
   wire [24:0] sum = {remainder, 2'b0} + {23'b0, rest[17:16]};
-  wire [23:0] sum2 = {root, 2'b0} + 24'd1;
+  wire [23:0] sum2 = {digits, 2'b0} + 24'd1;
 
-  assign root_o = root;
+  assign root_o = digits;
   always @(posedge clk) begin
     if (!rst_n) begin
       rest <= 18'd0;
@@ -36,9 +36,9 @@ module blysk_arccos_q16_square_root_steps_uq1_16_to_uq1_21 (
   end
   always @(posedge clk) begin
     if (!rst_n) begin
-      root <= 22'd0;
+      digits <= 22'd0;
     end else if (flag) begin
-      root <= load_i ? 22'd0 : ({remainder, 2'b0} + {23'b0, rest[17:16]} < {1'b0, {root, 2'b0} + 24'd1}) ? {root[20:0], 1'b0} : {root[20:0], 1'b0} + 22'd1;
+      digits <= load_i ? 22'd0 : ({remainder, 2'b0} + {23'b0, rest[17:16]} < {1'b0, {digits, 2'b0} + 24'd1}) ? {digits[20:0], 1'b0} : {digits[20:0], 1'b0} + 22'd1;
     end
   end
 

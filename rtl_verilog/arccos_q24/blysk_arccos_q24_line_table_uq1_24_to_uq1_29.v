@@ -8217,7 +8217,8 @@ module blysk_arccos_q24_line_table_uq1_24_to_uq1_29 (
   endfunction
 
   wire [12:0] shifted = a_i[24:12];
-  wire [26:0] product = rom2(shifted) * (a_i[11:0] & 12'd4095);
+  wire [11:0] bits = a_i[11:0] & 12'd4095;
+  wire [26:0] product = rom2(shifted) * bits;
   wire [26:0] sum = product + 27'd2048;
   wire [11:0] unused_sum_low = sum[11:0];  // below the last place of the result
 

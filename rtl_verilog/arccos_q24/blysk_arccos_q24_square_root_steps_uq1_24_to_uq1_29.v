@@ -12,14 +12,14 @@ module blysk_arccos_q24_square_root_steps_uq1_24_to_uq1_29 (
     output wire [29:0] root_o  // UQ1.29
 );
 
+  reg  [29:0] digits;  // UQ1.29
   reg  [30:0] remainder;  // UQ31.0
   reg  [25:0] rest;  // UQ2.24
-  reg  [29:0] root;  // UQ1.29
   wire flag = load_i || step_i;
   wire [32:0] sum = {remainder, 2'b0} + {31'b0, rest[25:24]};
-  wire [31:0] sum2 = {root, 2'b0} + 32'd1;
+  wire [31:0] sum2 = {digits, 2'b0} + 32'd1;
 
-  assign root_o = root;
+  assign root_o = digits;
   always @(posedge clk) begin
     if (!rst_n) begin
       rest <= 26'd0;
@@ -36,9 +36,9 @@ module blysk_arccos_q24_square_root_steps_uq1_24_to_uq1_29 (
   end
   always @(posedge clk) begin
     if (!rst_n) begin
-      root <= 30'd0;
+      digits <= 30'd0;
     end else if (flag) begin
-      root <= load_i ? 30'd0 : ({remainder, 2'b0} + {31'b0, rest[25:24]} < {1'b0, {root, 2'b0} + 32'd1}) ? {root[28:0], 1'b0} : {root[28:0], 1'b0} + 30'd1;
+      digits <= load_i ? 30'd0 : ({remainder, 2'b0} + {31'b0, rest[25:24]} < {1'b0, {digits, 2'b0} + 32'd1}) ? {digits[28:0], 1'b0} : {digits[28:0], 1'b0} + 30'd1;
     end
   end
 

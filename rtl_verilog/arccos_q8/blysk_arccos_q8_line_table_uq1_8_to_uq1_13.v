@@ -57,7 +57,8 @@ module blysk_arccos_q8_line_table_uq1_8_to_uq1_13 (
   endfunction
 
   wire [4:0] shifted = a_i[8:4];
-  wire [10:0] product = rom2(shifted) * (a_i[3:0] & 4'd15);
+  wire [3:0] bits = a_i[3:0] & 4'd15;
+  wire [10:0] product = rom2(shifted) * bits;
   wire [10:0] sum = product + 11'd8;
   wire [3:0] unused_sum_low = sum[3:0];  // below the last place of the result
 

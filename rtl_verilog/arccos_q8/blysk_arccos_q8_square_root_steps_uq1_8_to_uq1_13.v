@@ -12,14 +12,14 @@ module blysk_arccos_q8_square_root_steps_uq1_8_to_uq1_13 (
     output wire [13:0] root_o  // UQ1.13
 );
 
+  reg  [13:0] digits;  // UQ1.13
   reg  [14:0] remainder;  // UQ15.0
   reg  [9:0] rest;  // UQ2.8
-  reg  [13:0] root;  // UQ1.13
   wire flag = load_i || step_i;
   wire [16:0] sum = {remainder, 2'b0} + {15'b0, rest[9:8]};
-  wire [15:0] sum2 = {root, 2'b0} + 16'd1;
+  wire [15:0] sum2 = {digits, 2'b0} + 16'd1;
 
-  assign root_o = root;
+  assign root_o = digits;
   always @(posedge clk) begin
     if (!rst_n) begin
       rest <= 10'd0;
@@ -36,9 +36,9 @@ module blysk_arccos_q8_square_root_steps_uq1_8_to_uq1_13 (
   end
   always @(posedge clk) begin
     if (!rst_n) begin
-      root <= 14'd0;
+      digits <= 14'd0;
     end else if (flag) begin
-      root <= load_i ? 14'd0 : ({remainder, 2'b0} + {15'b0, rest[9:8]} < {1'b0, {root, 2'b0} + 16'd1}) ? {root[12:0], 1'b0} : {root[12:0], 1'b0} + 14'd1;
+      digits <= load_i ? 14'd0 : ({remainder, 2'b0} + {15'b0, rest[9:8]} < {1'b0, {digits, 2'b0} + 16'd1}) ? {digits[12:0], 1'b0} : {digits[12:0], 1'b0} + 14'd1;
     end
   end
 
