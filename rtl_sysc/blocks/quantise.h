@@ -30,7 +30,9 @@ struct quantise : sc_core::sc_module {
 
   template <class T>
   static constexpr T law(T a) {
-    if constexpr (Overflow == overflow::clamp) {
+    if constexpr (Overflow == overflow::clamp && !A::is_signed && Y::min == 0) {
+      return law::smaller(rounded<T>(a), T(Y::max));
+    } else if constexpr (Overflow == overflow::clamp) {
       return law::clamp(rounded<T>(a), T(Y::min), T(Y::max));
     } else {
       return rounded<T>(a);

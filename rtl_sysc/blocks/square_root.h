@@ -34,7 +34,7 @@ struct square_root_steps : sc_core::sc_module {
   SC_CTOR(square_root_steps) {
     BLYSK_CLOCKED(find_digit);
     SC_METHOD(show);
-    sensitive << root;
+    sensitive << digits;
   }
 
   template <class T>
@@ -60,11 +60,11 @@ struct square_root_steps : sc_core::sc_module {
     const auto d = reader.read(d_i, radicand{});
     const auto bits = reader.read(rest);
     const auto left = reader.read(remainder);
-    const auto found = reader.read(root);
+    const auto found = reader.read(digits);
     const auto goes_on = load || reader.read(step_i);
     reader.reg(clk, rst_n, goes_on, next_rest(load, d, bits), rest, rest_number{});
     reader.reg(clk, rst_n, goes_on, next_remainder(load, bits, left, found), remainder, remainder_number{});
-    reader.reg(clk, rst_n, goes_on, next_root(load, bits, left, found), root, root_number{});
+    reader.reg(clk, rst_n, goes_on, next_root(load, bits, left, found), digits, root_number{});
     reader.drive(root_o, found, root_number{});
   }
 
@@ -74,22 +74,22 @@ struct square_root_steps : sc_core::sc_module {
     if (!rst_n.read()) {
       rest.write(0);
       remainder.write(0);
-      root.write(0);
+      digits.write(0);
     } else if (load_i.read() || step_i.read()) {
       const std::int64_t load = load_i.read() ? 1 : 0;
       const std::int64_t bits = rest.read().to_int64();
       const std::int64_t left = remainder.read().to_int64();
-      const std::int64_t found = root.read().to_int64();
+      const std::int64_t found = digits.read().to_int64();
       rest.write(next_rest<std::int64_t>(load, d_i.read().to_int64(), bits));
       remainder.write(next_remainder<std::int64_t>(load, bits, left, found));
-      root.write(next_root<std::int64_t>(load, bits, left, found));
+      digits.write(next_root<std::int64_t>(load, bits, left, found));
     }
   }
-  void show() { root_o.write(root.read()); }
+  void show() { root_o.write(digits.read()); }
 
   sc_core::sc_signal<typename rest_number::raw_t> SC_NAMED(rest);
   sc_core::sc_signal<typename remainder_number::raw_t> SC_NAMED(remainder);
-  sc_core::sc_signal<typename root_number::raw_t> SC_NAMED(root);
+  sc_core::sc_signal<typename root_number::raw_t> SC_NAMED(digits);
 };
 
 }  // namespace blysk

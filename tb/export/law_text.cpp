@@ -107,6 +107,7 @@ class writer {
     int width = 0;           // that the most demanding user wants
     int count = 0;           // of users
     bool is_sliced = false;  // a user wants other than its low bits
+    bool is_factor = false;  // a user is a product
   };
   struct wire {
     std::string name;
@@ -135,6 +136,7 @@ class writer {
       for (std::size_t i = 0; i < n.operands.size(); ++i) {
         const int width = operand_width(n, i);
         if (width > 0) want(*n.operands[i], width, n.op == operation::shift_right || threshold_of(n) >= 0);
+        if (width > 0 && n.op == operation::multiply) uses_[n.operands[i].get()].is_factor = true;
       }
     }
   }
@@ -170,12 +172,13 @@ class writer {
     return std::max(width(a), width(b));
   }
 
-  // A wire is needed where Verilog takes bits out of names alone, where two users share a result, and for a product
-  // inside of an expression.
+  // A wire is needed where Verilog takes bits out of names alone, where two users share a result, for a product inside of
+  // an expression, and for a mask that is a factor, since Verilog would widen its operands to the product's width.
   bool needs_wire(const node& n) const {
     if (n.op == operation::constant || is_name(n)) return false;
     if (n.op == operation::multiply && !assigned_.contains(&n)) return true;
     const use& wanted = uses_.at(&n);
+    if (n.op == operation::bit_and && wanted.is_factor) return true;
     return wanted.count > 1 || wanted.is_sliced || (n.is_signed() && wanted.width > n.width());
   }
 

@@ -84,10 +84,10 @@ class bit_engine final : public engine {
     const std::int64_t most = (std::int64_t{1} << (bits_.limited + 1)) - 1;
     const std::int64_t one = std::int64_t{1} << bits_.address;
     const auto limited =
-        law::clamp<std::int64_t>(law::round_off(law::magnitude(angle), bits_.angle - bits_.limited), 0, most);
+        law::smaller<std::int64_t>(law::round_off(law::magnitude(angle), bits_.angle - bits_.limited), most);
     const auto turned = law::mul<std::int64_t>(limited, factor, 0);
-    const auto place = law::clamp<std::int64_t>(
-        law::round_off(turned, bits_.limited + bits_.factor - bits_.address), 0, one);
+    const auto place =
+        law::smaller<std::int64_t>(law::round_off(turned, bits_.limited + bits_.factor - bits_.address), one);
     return law::select<std::int64_t>(place < one, lookup(words_, (part << bits_.address) + place), 0);
   }
 

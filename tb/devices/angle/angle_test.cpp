@@ -190,9 +190,15 @@ TEST_CASE("a line through the axis is the same on both sides", "[angle][stabilit
 }
 
 TEST_CASE("a line takes its pixels and two cycles, a count of 0 one pixel", "[angle]") {
-  const selection asked = choose("angle", "q8");
+  const selection asked = choose("angle", "q8", {{"k", "15"}});  // all four outputs of the decoder
   const auto device = harness::make_systemc(asked);
   columns out;
+  std::vector<line> lines;
+  for (int n = 1; n <= 20; ++n) lines.push_back({n, 255, 1.5, -0.03, 100});
+  device->run(rows_of(asked, lines), out);
+  columns expected;
+  asked.of().make_bit(asked)->run(rows_of(asked, lines), expected);
+  CHECK(out == expected);
   const line wanted{20, 255, 0.3, -0.01, 100};
   device->run(rows_of(asked, {wanted}), out);
   REQUIRE(out.size() == 100);

@@ -9,3 +9,6 @@ add_custom_target(update_epicentre USES_TERMINAL VERBATIM
   COMMAND ${CMAKE_COMMAND} -E make_directory ${tables}
   COMMAND epicentre --output ${tables})
 add_dependencies(update_errors update_epicentre)
+
+add_test(NAME cli.${device}.bad_input COMMAND ${own}/bad_input.sh $<TARGET_FILE:blysk>)
+blysk_label(quick cli.${device}.bad_input)

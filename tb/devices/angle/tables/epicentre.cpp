@@ -104,6 +104,7 @@ std::string epicentre() {
 
 std::string all_angles() {
   std::string text = "| n | [A]'s function | q8 | q12 | q16 | q24 |\n|---|---|---|---|---|---|\n";
+  constexpr double kRoundoff = 1e-12;  // of the formula where it is cos^n itself
   constexpr double kLast = 1.5707;  // 90 degrees, but for what codes may round to
   for (const int n : kExponents) {
     const double k = std::min(5, n);
@@ -120,7 +121,7 @@ std::string all_angles() {
       });
       largest.push_back(worst);
     }
-    text += fmt::format("| {} | {:.3g} |", n, formula);
+    text += fmt::format("| {} | {:.3g} |", n, formula < kRoundoff ? 0.0 : formula);
     for (const double each : largest) text += fmt::format(" {:.3g} |", each);
     text += "\n";
   }

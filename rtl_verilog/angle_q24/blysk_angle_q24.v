@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+// device angle, format q24, Q 0.5, k 5, exported from the SystemC model.
+`default_nettype none
+
+module blysk_angle_q24 (
+    input  wire clk,  // clock
+    input  wire rst_n,  // synchronous, active low
+    input  wire [9:0] n_i,  // n, to register 5, UQ10.0, codes 1..1000
+    input  wire [7:0] intensity_i,  // intensity, to register 1, UQ8.0
+    input  wire [34:0] angle_i,  // angle of the first pixel, rad, to register 3, UQ1.34, codes 0..26986075409
+    input  wire signed [31:0] step_i,  // from pixel to pixel, rad, to register 2, SQ-3.34
+    input  wire [9:0] count_i,  // pixels of the line, to the counter, UQ10.0, codes 1..1023
+    input  wire start_i,  // takes the inputs while ready_o is one
+    output wire ready_o,  // the line has ended, start_i takes the next
+    output wire [31:0] out_o,  // intensity of the pixel, UQ8.24
+    output wire valid_o  // a pixel is at the output
+);
+
+  wire load;
+  wire first;
+  wire advance;
+  wire [7:0] intensity;  // rg1: UQ8.0
+  wire signed [31:0] step;  // rg2: SQ-3.34
+  wire [34:0] start_angle;  // rg3: UQ1.34, codes 0..26986075409
+  wire signed [42:0] current_angle;  // rg4: SQ8.34
+  wire [9:0] n;  // rg5: UQ10.0, codes 1..1000
+  wire last;
+  wire [3:0] part;  // dec: UQ4.0
+  wire ground_in;  // ground: UQ1.0
+  wire signed [42:0] sum;  // add4: SQ8.34
+  wire signed [42:0] next_angle;  // mux: SQ8.34
+  wire [41:0] distance;  // mag4: UQ8.34
+  wire [16:0] limited;  // limit4: UQ1.16
+  wire [18:0] factor;  // rom2: UQ5.14
+  wire [35:0] turned;  // mul2: UQ6.30
+  wire [10:0] place;  // quant2: UQ1.10, codes 0..1024
+  wire [24:0] brdf;  // rom1: UQ1.24, codes 0..16777216
+
+  blysk_angle_q24_scan_control control (
+      .clk(clk), .rst_n(rst_n), .start_i(start_i), .carry_i(last), .load_o(load), .first_o(first), .step_o(advance), .draw_o(valid_o), .ready_o(ready_o)
+  );
+  blysk_angle_q24_reg_level_uq8_0 rg1 (
+      .clk(clk), .rst_n(rst_n), .d_i(intensity_i), .we_i(load), .q_o(intensity)
+  );
+  blysk_angle_q24_reg_level_sqm3_34 rg2 (.clk(clk), .rst_n(rst_n), .d_i(step_i), .we_i(load), .q_o(step));
+  blysk_angle_q24_reg_level_uq1_34 rg3 (
+      .clk(clk), .rst_n(rst_n), .d_i(angle_i), .we_i(load), .q_o(start_angle)
+  );
+  blysk_angle_q24_reg_level_sq8_34 rg4 (
+      .clk(clk), .rst_n(rst_n), .d_i(next_angle), .we_i(advance), .q_o(current_angle)
+  );
+  blysk_angle_q24_reg_level_uq10_0 rg5 (.clk(clk), .rst_n(rst_n), .d_i(n_i), .we_i(load), .q_o(n));
+  blysk_angle_q24_down_counter_uq10_0 cnt (
+      .clk(clk), .rst_n(rst_n), .load_i(load), .count_i(valid_o), .d_i(count_i), .carry_o(last)
+  );
+  blysk_angle_q24_part_decoder_uq10_0_to_uq4_0 #(.FIRST(64'd5)) dec (.n_i(n), .part_o(part));  // 5
+  blysk_angle_q24_constant_uq1_0 #(.RAW(1'd0)) ground (.y_o(ground_in));  // 0
+  blysk_angle_q24_add_sq8_34_sqm3_34_to_sq8_34 add4 (
+      .a_i(current_angle), .b_i(step), .carry_i(ground_in), .s_o(sum)
+  );
+  blysk_angle_q24_multiplexer_sq8_34_uq1_34_to_sq8_34 mux (
+      .a_i(sum), .b_i(start_angle), .select_b_i(first), .y_o(next_angle)
+  );
+  blysk_angle_q24_magnitude_sq8_34_to_uq8_34 mag4 (.a_i(current_angle), .y_o(distance));
+  blysk_angle_q24_quantise_uq8_34_to_uq1_16_clamp limit4 (.a_i(distance), .y_o(limited));
+  blysk_angle_q24_filled_rom_uq10_0_to_uq5_14 rom2 (.a_i(n), .y_o(factor));
+  blysk_angle_q24_mul_uq1_16_uq5_14_to_uq6_30 mul2 (.a_i(limited), .b_i(factor), .p_o(turned));
+  blysk_angle_q24_quantise_uq6_30_to_uq1_10_clamp quant2 (.a_i(turned), .y_o(place));
+  blysk_angle_q24_parted_rom_uq4_0_uq1_10_to_uq1_24 rom1 (.part_i(part), .a_i(place), .y_o(brdf));
+  blysk_angle_q24_mul_uq1_24_uq8_0_to_uq8_24 mul1 (.a_i(brdf), .b_i(intensity), .p_o(out_o));
+
+endmodule
+
+`default_nettype wire

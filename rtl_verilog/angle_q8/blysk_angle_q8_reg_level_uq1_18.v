@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// Register: takes d_i while we_i is one.
+// device angle, format q8, Q 0.5, k 5, exported from the SystemC model.
+`default_nettype none
+
+module blysk_angle_q8_reg_level_uq1_18 (
+    input  wire clk,
+    input  wire rst_n,
+    input  wire [18:0] d_i,  // UQ1.18, codes 0..411774
+    input  wire we_i,
+    output reg  [18:0] q_o  // UQ1.18, codes 0..411774
+);
+
+  always @(posedge clk) begin
+    if (!rst_n) begin
+      q_o <= 19'd0;
+    end else if (we_i) begin
+      q_o <= d_i;
+    end
+  end
+
+endmodule
+
+`default_nettype wire

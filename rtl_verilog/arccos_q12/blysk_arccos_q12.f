@@ -1,0 +1,7 @@
+blysk_arccos_q12.v
+blysk_arccos_q12_line_table_uq1_12_to_uq1_17.v
+blysk_arccos_q12_mul_uq1_17_uq1_17_to_uq1_14.v
+blysk_arccos_q12_one_minus_uq1_12.v
+blysk_arccos_q12_reg_level_uq1_12.v
+blysk_arccos_q12_sequencer.v
+blysk_arccos_q12_square_root_steps_uq1_12_to_uq1_17.v

@@ -1,0 +1,7 @@
+blysk_arccos_q16.v
+blysk_arccos_q16_line_table_uq1_16_to_uq1_21.v
+blysk_arccos_q16_mul_uq1_21_uq1_21_to_uq1_18.v
+blysk_arccos_q16_one_minus_uq1_16.v
+blysk_arccos_q16_reg_level_uq1_16.v
+blysk_arccos_q16_sequencer.v
+blysk_arccos_q16_square_root_steps_uq1_16_to_uq1_21.v

@@ -1,0 +1,7 @@
+blysk_arccos_q24.v
+blysk_arccos_q24_line_table_uq1_24_to_uq1_29.v
+blysk_arccos_q24_mul_uq1_29_uq1_29_to_uq1_26.v
+blysk_arccos_q24_one_minus_uq1_24.v
+blysk_arccos_q24_reg_level_uq1_24.v
+blysk_arccos_q24_sequencer.v
+blysk_arccos_q24_square_root_steps_uq1_24_to_uq1_29.v

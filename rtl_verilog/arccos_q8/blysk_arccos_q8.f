@@ -1,0 +1,7 @@
+blysk_arccos_q8.v
+blysk_arccos_q8_line_table_uq1_8_to_uq1_13.v
+blysk_arccos_q8_mul_uq1_13_uq1_13_to_uq1_10.v
+blysk_arccos_q8_one_minus_uq1_8.v
+blysk_arccos_q8_reg_level_uq1_8.v
+blysk_arccos_q8_sequencer.v
+blysk_arccos_q8_square_root_steps_uq1_8_to_uq1_13.v
