@@ -96,6 +96,36 @@ constexpr T gate(T a, T off) {
   return select(off, static_cast<T>(0), a);
 }
 
+/// The bits of an unsigned number from `low` on.
+template <class T>
+constexpr T upper_bits(T a, int low) {
+  return static_cast<T>(a >> low);
+}
+
+/// The lowest `width` bits of an unsigned number.
+template <class T>
+constexpr T lower_bits(T a, int width) {
+  return static_cast<T>(a & static_cast<T>((std::int64_t{1} << width) - 1));
+}
+
+/// 1 if a < 2^place. \param a  not negative
+template <class T>
+constexpr T is_below_power(T a, int place) {
+  return static_cast<T>(a < static_cast<T>(std::int64_t{1} << place));
+}
+
+/// a, moved up by `places` within `width` bits where `moves` is one.
+template <class T>
+constexpr T move_up_within(T moves, T a, int places, int width) {
+  return select(moves, lower_bits(move_up(a, places), width), a);
+}
+
+/// 1 if b is one, or a is not 0.
+template <class T>
+constexpr T either(T a, T b) {
+  return static_cast<T>(!(a == static_cast<T>(0)) || b);
+}
+
 /// a / 2 without the last bit, towards -infinity.
 template <class T>
 constexpr T halve(T a) {

@@ -145,6 +145,8 @@ expression operator&(const expression& a, const expression& b) {
 }
 
 expression operator|(const expression& a, const expression& b) {
+  if (is_zero(a)) return b;
+  if (is_zero(b)) return a;
   const node& x = *a.root();
   const node& y = *b.root();
   const auto [low, high] = or_interval(x.low, x.high, y.low, y.high);
