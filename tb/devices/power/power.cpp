@@ -48,27 +48,26 @@ double ratio_curvature(double v) {
   return sum / std::numbers::ln2;
 }
 
-/// How far a line is from a curve whose second derivative lies in [least, most] over the line's segment. The chord is off by
-/// at most `most` h^2/8, and the line lies below it by half of what it is off in the middle, `least` h^2/16 or more.
-double line_error(int segments, double least, double most) {
-  return ulp(2 * segments + 3) * (most - least / 2);
+/// How far a line is from a convex curve whose second derivative is at most `most` on the line's segment, of length
+/// h = 2^-segments. With D = most h^2/8, and d what the chord is off in the middle, d <= D: the chord is off by at most
+/// d t + D t (1 - t) at t/2 and 1 - t/2 of the segment, which is at most (d + D)^2/(4D). The line lies d/2 below the
+/// chord, so that it is off by at most (d^2 + D^2)/(4D) <= D/2.
+double line_error(int segments, double most) {
+  return ulp(2 * segments + 4) * most;
 }
 
 /// The bound of docs/devices/power.md.
 class error_bound {
  public:
-  explicit error_bound(const shape& of) : of_(of) {
-    // Two words, and what is cut from the line.
-    const double rounding = ulp(of.word_bits) + ulp(of.value_bits + 1);
+  explicit error_bound(const shape& of) : of_(of), rounding_(ulp(of.word_bits) + ulp(of.value_bits + 1)) {
     const int count = 1 << of.ratio_segments;
     for (int i = 0; i < count; ++i) {
       const double most = ratio_curvature(1 - std::ldexp(i, -of.ratio_segments));
-      const double least = ratio_curvature(1 - std::ldexp(i + 1, -of.ratio_segments));
-      ratio_error_.push_back(line_error(of.ratio_segments, least, most) + rounding);
+      ratio_error_.push_back(line_error(of.ratio_segments, most) + rounding_);
     }
-    const double curvature = std::numbers::ln2 * std::numbers::ln2;  // of 2^-x at x = 0
-    power_error_ =
-        line_error(of.power_segments, curvature * std::exp2(-ulp(of.power_segments)), curvature) + rounding;
+    // The second derivative of 2^-x is (ln 2)^2 2^-x; x lies no more than a segment above where its segment begins.
+    power_error_ = line_error(of.power_segments, std::numbers::ln2 * std::numbers::ln2) *
+                   std::exp2(ulp(of.power_segments));
   }
 
   double operator()(double n, double c) const {
@@ -79,19 +78,21 @@ class error_bound {
     const double mantissa = 2 * std::frexp(c, &exponent);
     const double distance = c == 1 ? 0 : 2 - mantissa;
     const auto segment = static_cast<std::size_t>(std::ldexp(mantissa - 1, of_.ratio_segments));
-    const double log_error = distance * ratio_error_[segment] + ulp(of_.log_bits);
+    const double log_error = c == 1 ? 0 : distance * ratio_error_[segment] + ulp(of_.log_bits);
     const double x = -n * std::log2(c);
     const double x_error = n * log_error + ulp(of_.place_bits + 1);
     const double power = golden::blinn<double>(n, c);
-    const double error = power * std::expm1(std::numbers::ln2 * x_error) +
-                         std::exp2(-std::floor(std::max(0.0, x - x_error))) * power_error_ + half;
+    const double error =
+        power * (std::expm1(std::numbers::ln2 * x_error) + std::exp2(x_error) * power_error_) +
+        std::exp2(-std::floor(std::max(0.0, x - x_error))) * rounding_ + half;
     return error + 4 * std::numeric_limits<double>::epsilon() * power;
   }
 
  private:
   shape of_;
+  double rounding_;  // two words, and what is cut from the line
   std::vector<double> ratio_error_;
-  double power_error_;
+  double power_error_;  // of a line for 2^-x, over 2^-x
 };
 
 class power final : public specular::device_of_points {

@@ -17,6 +17,13 @@ namespace {
 using namespace blysk;
 using real50 = boost::multiprecision::cpp_dec_float_50;
 
+/// What the memories of a format hold.
+template <class Of>
+constexpr auto& ratio_words = log_ratio_words<Of::ratio_segments, Of::word_bits, Of::value_bits>::words;
+template <class Of>
+constexpr auto& exp_words =
+    power_words<Of::power_segments, Of::word_bits, Of::value_bits, Of::place_bits>::words;
+
 /// x * 2^bits rounded to nearest, ties up.
 std::int64_t rounded(const real50& x, int bits) {
   return static_cast<std::int64_t>(floor(ldexp(x, bits) + real50(1) / 2));
@@ -51,10 +58,10 @@ TEST_CASE("the words are the lines, rounded, in every format", "[contents]") {
   for (const auto name : format_names) {
     visit_format(std::string(name), []<class Q>() {
       using of = power_formats<Q>;
-      check_lines(of::ratio_words::words, of::ratio_segments, of::word_bits, of::value_bits, ratio);
+      check_lines(ratio_words<of>, of::ratio_segments, of::word_bits, of::value_bits, ratio);
       // A number cut to its place lies half a unit above it in the mean.
       const real50 half = ldexp(real50(1), -of::place_bits - 1);
-      check_lines(of::power_words::words, of::power_segments, of::word_bits, of::value_bits,
+      check_lines(exp_words<of>, of::power_segments, of::word_bits, of::value_bits,
                   [&](const real50& x) { return pow(real50(2), real50(-x - half)); });
       return 0;
     });
@@ -65,8 +72,8 @@ TEST_CASE("the words that hand arithmetic gives", "[contents]") {
   using of = power_formats<q8>;
   // ratio: 1, (1 - log2 1.125)/0.875 = 0.948657, (1 - log2 1.25)/0.75 = 0.904096; sag 0.003391; with 12 bits and 2^-12
   // beside: 1 - 0.001696 + 0.000244 = 0.998549 is 4090.05.
-  CHECK(of::ratio_words::words[0][0] == 4090);
-  CHECK(of::ratio_words::words[1][0] == -393);  // 0.095904 is 392.82
+  CHECK(ratio_words<of>[0][0] == 4090);
+  CHECK(ratio_words<of>[1][0] == -393);  // 0.095904 is 392.82
 }
 
 TEST_CASE("the bound is at most one output step in every format", "[bound]") {
