@@ -122,14 +122,34 @@ constexpr T subtract(T a, T b) {
   return static_cast<T>(a - b);
 }
 
-/// a without its `bits` lowest bits, and these alone.
+/// The bits of an unsigned number from `low` on.
 template <class T>
-constexpr T drop(T a, int bits) {
-  return static_cast<T>(a >> bits);
+constexpr T upper_bits(T a, int low) {
+  return static_cast<T>(a >> low);
 }
+
+/// The lowest `width` bits of an unsigned number.
 template <class T>
-constexpr T low_bits(T a, int bits) {
-  return static_cast<T>(a & static_cast<T>((std::int64_t{1} << bits) - 1));
+constexpr T lower_bits(T a, int width) {
+  return static_cast<T>(a & static_cast<T>((std::int64_t{1} << width) - 1));
+}
+
+/// 1 if a < 2^place. \param a  not negative
+template <class T>
+constexpr T is_below_power(T a, int place) {
+  return static_cast<T>(a < static_cast<T>(std::int64_t{1} << place));
+}
+
+/// a, moved up by `places` within `width` bits where `moves` is one.
+template <class T>
+constexpr T move_up_within(T moves, T a, int places, int width) {
+  return select(moves, lower_bits(move_up(a, places), width), a);
+}
+
+/// 1 if b is one, or a is not 0.
+template <class T>
+constexpr T either(T a, T b) {
+  return static_cast<T>(!(a == static_cast<T>(0)) || b);
 }
 
 /// a / 2 without the last bit, towards -infinity.
@@ -154,11 +174,11 @@ constexpr T other_bits(T a, int width) {
 /// after them.
 template <class T>
 constexpr T two_bits(T rest, int place) {
-  return drop(rest, place);
+  return upper_bits(rest, place);
 }
 template <class T>
 constexpr T after_two_bits(T rest, int place) {
-  return move_up(low_bits(rest, place), 2);
+  return move_up(lower_bits(rest, place), 2);
 }
 /// The remainder with two more bits of the radicand.
 template <class T>

@@ -31,9 +31,9 @@ struct line_table : sc_core::sc_module {
   template <class T>
   static constexpr T law(T a) {
     using law::lookup;
-    const T segment = law::drop(a, rest_bits);
+    const T segment = law::upper_bits(a, rest_bits);
     const T slope = lookup(Contents::slopes, segment);
-    return lookup(Contents::values, segment) + law::mul(slope, law::low_bits(a, rest_bits), rest_bits);
+    return lookup(Contents::values, segment) + law::mul(slope, law::lower_bits(a, rest_bits), rest_bits);
   }
 
   template <class Reader>

@@ -7,10 +7,16 @@
 #include "rtl_sysc/blocks/buffer.h"
 #include "rtl_sysc/blocks/compare.h"
 #include "rtl_sysc/blocks/constant.h"
+#include "rtl_sysc/blocks/divide.h"
+#include "rtl_sysc/blocks/either.h"
+#include "rtl_sysc/blocks/field.h"
 #include "rtl_sysc/blocks/inverter_bank.h"
 #include "rtl_sysc/blocks/key.h"
+#include "rtl_sysc/blocks/move_point.h"
 #include "rtl_sysc/blocks/mul.h"
+#include "rtl_sysc/blocks/normalise.h"
 #include "rtl_sysc/blocks/quantise.h"
+#include "rtl_sysc/blocks/shift_right.h"
 #include "rtl_sysc/blocks/sign.h"
 #include "tb/catch.h"
 
@@ -309,6 +315,159 @@ TEST_CASE("a key block passes all bits or none", "[unit][key]") {
       REQUIRE(key_block.y.read().to_int64() == (off ? 0 : x));
     }
   }
+}
+
+struct field_bench {
+  explicit field_bench(const char* name) : middle(name), top("top_field") {
+    middle.a_i(a), middle.y_o(y);
+    top.a_i(a), top.y_o(high);
+  }
+  field<uq<4, 4>, uq<3, 0>, 2> middle;
+  field<uq<4, 4>, uq<5, 0>, 3> top;
+  wire<uq<4, 4>> a;
+  wire<uq<3, 0>> y;
+  wire<uq<5, 0>> high;
+};
+
+struct either_bench {
+  explicit either_bench(const char* name) : block(name) { block.a_i(a), block.b_i(b), block.y_o(y); }
+  either<uq<4, 0>> block;
+  wire<uq<4, 0>> a;
+  sc_core::sc_signal<bool> b, y;
+};
+
+template <int F, class Count>
+struct normalise_bench {
+  explicit normalise_bench(const char* name) : block(name) {
+    block.a_i(a), block.m_o(m), block.zeros_o(zeros), block.zero_o(zero);
+  }
+  normalise<F, Count> block;
+  wire<unit<F>> a;
+  wire<uq<2, F - 1>> m;
+  wire<Count> zeros;
+  sc_core::sc_signal<bool> zero;
+
+  void check_all() {
+    for (unsigned code = 0; code <= (1u << F); ++code) {
+      a.write(code);
+      settle();
+      CAPTURE(code);
+      REQUIRE(zero.read() == (code == 0));
+      const double mantissa = real<uq<2, F - 1>>(m.read().to_int64());
+      REQUIRE(mantissa >= 1);
+      REQUIRE((mantissa < 2 || code == 1u << F));
+      if (code == 0) {
+        REQUIRE(mantissa == 1);
+        REQUIRE(zeros.read().to_int64() == Count::max);
+      } else {
+        REQUIRE(std::ldexp(mantissa, -1 - zeros.read().to_int()) == real<unit<F>>(code));
+      }
+    }
+  }
+};
+
+struct shift_right_bench {
+  explicit shift_right_bench(const char* name) : block(name) {
+    block.a_i(a), block.places_i(places), block.y_o(y);
+  }
+  shift_right<uq<1, 6>, uq<4, 0>> block;
+  wire<uq<1, 6>> a, y;
+  wire<uq<4, 0>> places;
+};
+
+field_bench middle_field("middle_field");
+either_bench either_gate("either_gate");
+normalise_bench<8, uq<3, 0>> normalise_8("normalise_8");
+normalise_bench<10, uq<4, 0>> normalise_10("normalise_10");
+shift_right_bench shifter("shifter");
+
+struct move_point_bench {
+  explicit move_point_bench(const char* name) : block(name) { block.a_i(a), block.y_o(y); }
+  move_point<uq<6, 0>, uq<4, 2>> block;
+  wire<uq<6, 0>> a;
+  wire<uq<4, 2>> y;
+};
+
+move_point_bench quarter("quarter");
+
+TEST_CASE("move_point divides by a power of two", "[unit][move_point]") {
+  for (unsigned x = 0; x < 64; ++x) {
+    quarter.a.write(x);
+    settle();
+    CAPTURE(x);
+    REQUIRE(real<uq<4, 2>>(quarter.y.read().to_int64()) == x / 4.0);
+  }
+}
+
+TEST_CASE("field takes bits out of every number", "[unit][field]") {
+  for (unsigned x = 0; x < 256; ++x) {
+    middle_field.a.write(x);
+    settle();
+    CAPTURE(x);
+    REQUIRE(middle_field.y.read().to_uint() == x / 4 % 8);
+    REQUIRE(middle_field.high.read().to_uint() == x / 8);
+  }
+}
+
+TEST_CASE("either is one for any bit", "[unit][either]") {
+  for (unsigned x = 0; x < 16; ++x) {
+    for (const bool b : {false, true}) {
+      either_gate.a.write(x);
+      either_gate.b.write(b);
+      settle();
+      CAPTURE(x, b);
+      REQUIRE(either_gate.y.read() == (x > 0 || b));
+    }
+  }
+}
+
+TEST_CASE("normalise finds exponent and mantissa of every code", "[unit][normalise]") {
+  SECTION("as many zeros as counts") {
+    normalise_8.check_all();
+  }
+  SECTION("fewer") {
+    normalise_10.check_all();
+  }
+}
+
+TEST_CASE("shift_right divides by powers of two, rounding down", "[unit][shift_right]") {
+  for (unsigned x = 0; x < 128; ++x) {
+    for (unsigned places = 0; places < 16; ++places) {
+      shifter.a.write(x);
+      shifter.places.write(places);
+      settle();
+      CAPTURE(x, places);
+      REQUIRE(shifter.y.read().to_int64() ==
+              static_cast<std::int64_t>(std::floor(std::ldexp(x, -static_cast<int>(places)))));
+    }
+  }
+}
+
+struct divide_bench {
+  explicit divide_bench(const char* name) : block(name) { block.a_i(a), block.b_i(b), block.q_o(q); }
+  divide<unit<4>, uq<3, 4>, unit<6>> block;
+  wire<unit<4>> a;
+  wire<uq<3, 4>> b;
+  wire<unit<6>> q;
+};
+
+divide_bench divider("divider");
+
+TEST_CASE("divide rounds the quotient down, for all operands whose quotient is at most 1", "[unit][divide]") {
+  for (unsigned b = 1; b < 128; ++b) {
+    for (unsigned a = 0; a <= b && a < 32; ++a) {
+      divider.a.write(a);
+      divider.b.write(b);
+      settle();
+      CAPTURE(a, b);
+      REQUIRE(divider.q.read().to_uint() == a * 64 / b);
+    }
+  }
+  // 0 / 0: every difference is 0, none is negative.
+  divider.a.write(0);
+  divider.b.write(0);
+  settle();
+  CHECK(divider.q.read().to_uint() == 127);
 }
 
 }  // namespace

@@ -141,10 +141,20 @@ expression operator&(const expression& a, const expression& b) {
   const node& x = *a.root();
   const node& y = *b.root();
   const auto [low, high] = or_interval(~x.high, ~x.low, ~y.high, ~y.low);  // a & b = ~(~a | ~b)
-  return make(operation::bit_and, {a, b}, ~high, ~low);
+  // What is not negative bounds the result, whatever the sign of the other.
+  wide_int least = ~high;
+  wide_int most = ~low;
+  for (const node* each : {&x, &y}) {
+    if (each->low < 0) continue;
+    least = std::max(least, wide_int{0});
+    most = std::min(most, each->high);
+  }
+  return make(operation::bit_and, {a, b}, least, most);
 }
 
 expression operator|(const expression& a, const expression& b) {
+  if (is_zero(a)) return b;
+  if (is_zero(b)) return a;
   const node& x = *a.root();
   const node& y = *b.root();
   const auto [low, high] = or_interval(x.low, x.high, y.low, y.high);

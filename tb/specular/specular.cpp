@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tb/specular/specular.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
+#include <stdexcept>
 #include <utility>
 
 namespace blysk::specular {
@@ -43,6 +46,19 @@ std::vector<std::int64_t> device_of_points::corners(const selection& asked,
 
 std::unique_ptr<engine> device_of_points::make_golden(const selection& asked) const {
   return std::make_unique<formula_engine>(formula(asked), asked.fraction());
+}
+
+void check_only_cosine(const selection& asked, const word_lengths& bits) {
+  for (const auto& [name, width] : bits) {
+    if (name != "cos")
+      throw std::invalid_argument(fmt::format("word length {} does not exist, expected cos", name));
+    if (width != asked.fraction())
+      throw std::invalid_argument(fmt::format("word length cos {} is wrong, expected {}, that of the format",
+                                              width, asked.fraction()));
+  }
+  if (bits.empty())
+    throw std::invalid_argument(
+        fmt::format("word length cos is missing, expected one like {}", asked.fraction()));
 }
 
 }  // namespace blysk::specular

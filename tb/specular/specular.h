@@ -33,6 +33,10 @@ class device_of_points : public device {
   virtual double root(const selection& asked, double n) const = 0;
 };
 
+/// What a device whose word lengths all go with the format makes of others.
+/// \throws std::invalid_argument unless they are the cosine's alone, that of the format
+void check_only_cosine(const selection& asked, const word_lengths& bits);
+
 /// Columns of the stimulus and of the results, in the ports' order.
 enum stimulus_column : std::size_t { kN, kCos, kRed, kGreen, kBlue };
 enum result_column : std::size_t { kBrdf, kOutRed, kOutGreen, kOutBlue };

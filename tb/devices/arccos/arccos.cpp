@@ -60,10 +60,10 @@ class bit_engine final : public engine {
 
   std::int64_t ratio(std::int64_t versine) const {
     const int rest_bits = bits_.cos - bits_.segments;
-    const auto segment = static_cast<std::size_t>(law::drop(versine, rest_bits));
+    const auto segment = static_cast<std::size_t>(law::upper_bits(versine, rest_bits));
     if (segment + 1 >= values_.size()) return values_.back();
     const std::int64_t slope = values_[segment + 1] - values_[segment];
-    return values_[segment] + law::mul<std::int64_t>(slope, law::low_bits(versine, rest_bits), rest_bits);
+    return values_[segment] + law::mul<std::int64_t>(slope, law::lower_bits(versine, rest_bits), rest_bits);
   }
 
   widths_of_model bits_;

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+// device lyon, format q24, degree 4, exported from the SystemC model.
+`default_nettype none
+
+module blysk_lyon_q24 (
+    input  wire clk,  // samples the write strobes
+    input  wire rst_n,  // synchronous, active low
+    input  wire [9:0] n_i,  // 16: n, UQ10.0, codes 1..1000
+    input  wire n_we_i,  // 15: write rg1
+    input  wire [24:0] cos_i,  // 18: cos(delta), 0..1, UQ1.24, codes 0..16777216
+    input  wire cos_we_i,  // 17: write rg2, by its trailing edge
+    input  wire [7:0] r_i,  // 19: R k_s, UQ8.0
+    input  wire r_we_i,  // 20: write rg3
+    input  wire [7:0] g_i,  // 21: G k_s, UQ8.0
+    input  wire g_we_i,  // 22: write rg4
+    input  wire [7:0] b_i,  // 23: B k_s, UQ8.0
+    input  wire b_we_i,  // 24: write rg5
+    output wire [31:0] r_o,  // 25: red, UQ8.24
+    output wire [31:0] g_o,  // 26: green, UQ8.24
+    output wire [31:0] b_o,  // 27: blue, UQ8.24
+    output wire valid_o  // 29: 25..27 are valid at its leading edge
+);
+
+  wire [9:0] n;  // rg1: UQ10.0, codes 1..1000
+  wire [24:0] cos_delta;  // rg2: UQ1.24, codes 0..16777216
+  wire [7:0] r_ks;  // rg3: UQ8.0
+  wire [7:0] g_ks;  // rg4: UQ8.0
+  wire [7:0] b_ks;  // rg5: UQ8.0
+  wire unity;  // node1: UQ1.0
+  wire signed [25:0] inverted;  // inv_cos: SQ1.24
+  wire [24:0] versine;  // add_cos: UQ1.24, codes 0..16777216
+  wire [9:0] part;  // part_n: UQ8.2
+  wire [33:0] drop;  // mul_n: UQ8.26
+  wire signed [34:0] drop_inverted;  // inv_drop: SQ8.26
+  wire signed [34:0] line;  // add_line: SQ8.26
+  wire [26:0] root;  // quant_line: UQ1.26, codes 0..67108864
+  wire [27:0] power2;  // square2: UQ1.27, codes 0..134217728
+  wire [24:0] brdf;  // square4: UQ1.24, codes 0..16777216
+
+  blysk_lyon_q24_reg_level_uq10_0 rg1 (.clk(clk), .rst_n(rst_n), .d_i(n_i), .we_i(n_we_i), .q_o(n));
+  blysk_lyon_q24_reg_trailing_uq1_24 rg2 (
+      .clk(clk), .rst_n(rst_n), .d_i(cos_i), .we_i(cos_we_i), .q_o(cos_delta)
+  );
+  blysk_lyon_q24_reg_level_uq8_0 rg3 (.clk(clk), .rst_n(rst_n), .d_i(r_i), .we_i(r_we_i), .q_o(r_ks));
+  blysk_lyon_q24_reg_level_uq8_0 rg4 (.clk(clk), .rst_n(rst_n), .d_i(g_i), .we_i(g_we_i), .q_o(g_ks));
+  blysk_lyon_q24_reg_level_uq8_0 rg5 (.clk(clk), .rst_n(rst_n), .d_i(b_i), .we_i(b_we_i), .q_o(b_ks));
+  blysk_lyon_q24_buffer buf29 (.a_i(cos_we_i), .y_o(valid_o));
+  blysk_lyon_q24_constant_uq1_0 #(.RAW(1'd1)) node1 (.y_o(unity));  // 1
+  blysk_lyon_q24_inverter_bank_uq1_24_to_sq1_24 inv_cos (.a_i(cos_delta), .y_o(inverted));
+  blysk_lyon_q24_add_uq1_0_sq1_24_to_uq1_24 add_cos (
+      .a_i(unity), .b_i(inverted), .carry_i(unity), .s_o(versine)
+  );
+  blysk_lyon_q24_move_point_uq10_0_to_uq8_2 part_n (.a_i(n), .y_o(part));
+  blysk_lyon_q24_mul_uq8_2_uq1_24_to_uq8_26 mul_n (.a_i(part), .b_i(versine), .p_o(drop));
+  blysk_lyon_q24_inverter_bank_uq8_26_to_sq8_26 inv_drop (.a_i(drop), .y_o(drop_inverted));
+  blysk_lyon_q24_add_uq1_0_sq8_26_to_sq8_26 add_line (
+      .a_i(unity), .b_i(drop_inverted), .carry_i(unity), .s_o(line)
+  );
+  blysk_lyon_q24_quantise_sq8_26_to_uq1_26_clamp quant_line (.a_i(line), .y_o(root));
+  blysk_lyon_q24_mul_uq1_26_uq1_26_to_uq1_27 square2 (.a_i(root), .b_i(root), .p_o(power2));
+  blysk_lyon_q24_mul_uq1_27_uq1_27_to_uq1_24 square4 (.a_i(power2), .b_i(power2), .p_o(brdf));
+  blysk_lyon_q24_mul_uq1_24_uq8_0_to_uq8_24 mul12 (.a_i(brdf), .b_i(r_ks), .p_o(r_o));
+  blysk_lyon_q24_mul_uq1_24_uq8_0_to_uq8_24 mul13 (.a_i(brdf), .b_i(g_ks), .p_o(g_o));
+  blysk_lyon_q24_mul_uq1_24_uq8_0_to_uq8_24 mul14 (.a_i(brdf), .b_i(b_ks), .p_o(b_o));
+
+endmodule
+
+`default_nettype wire

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+// Adder: s_o = a_i + b_i + carry_i, the carry being one ulp of s_o.
+// device lyon, format q24, degree 4, exported from the SystemC model.
+`default_nettype none
+
+module blysk_lyon_q24_add_uq1_0_sq8_26_to_sq8_26 (
+    input  wire a_i,  // UQ1.0
+    input  wire signed [34:0] b_i,  // SQ8.26
+    input  wire carry_i,
+    output wire signed [34:0] s_o  // SQ8.26
+);
+
+  assign s_o = {8'b0, a_i, 26'b0} + b_i + {34'b0, carry_i};
+
+endmodule
+
+`default_nettype wire

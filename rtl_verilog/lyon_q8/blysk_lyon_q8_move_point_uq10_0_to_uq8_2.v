@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+// Wires: y_o = the bits of a_i, with another binary point.
+// device lyon, format q8, degree 4, exported from the SystemC model.
+`default_nettype none
+
+module blysk_lyon_q8_move_point_uq10_0_to_uq8_2 (
+    input  wire [9:0] a_i,  // UQ10.0, codes 1..1000
+    output wire [9:0] y_o  // UQ8.2
+);
+
+  assign y_o = a_i;
+
+endmodule
+
+`default_nettype wire

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+
+#include "tb/devices/lyon/degree.h"
+#include "tb/netlist/elaborated.h"
+
+namespace blysk::lyon_device {
+
+template <class Q>
+std::vector<port> ports(const selection& asked) {
+  return with_formats<Q>(asked, []<class Formats>() { return ports_of<lyon<Formats>>(); });
+}
+
+template <class Q>
+std::unique_ptr<netlist::elaborated> elaborate(const selection& asked, double clock_period_ns) {
+  return with_formats<Q>(asked, [&]<class Formats>() {
+    return std::make_unique<netlist::elaborated>(std::make_unique<lyon<Formats>>("lyon"), clock_period_ns);
+  });
+}
+
+}  // namespace blysk::lyon_device
