@@ -2,9 +2,12 @@
 /// A device in SystemC under its strobes, as an engine.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <string>
+#include <vector>
 
+#include "tb/delays.h"
 #include "tb/device.h"
 #include "tb/engine.h"
 
@@ -21,8 +24,9 @@ inline constexpr double kClockPeriodNs = 10;
 class systemc_engine : public clocked_engine {
  public:
   /// Records the waves from now on in a VCD file, timescale 1 ps. Before the first run.
-  /// \param path  without the ending .vcd, which SystemC appends
-  virtual void trace(const std::string& path) = 0;
+  /// \param path    without the ending .vcd, which SystemC appends
+  /// \param deltas  each delta cycle is written 1 ps after the one before it
+  virtual void trace(const std::string& path, bool deltas = false) = 0;
 
   /// Ends the record and closes its file.
   /// \return  whether its end is in the file: SystemC does not say when a disk is full
@@ -32,10 +36,34 @@ class systemc_engine : public clocked_engine {
   using clocked_engine::clocked_engine;
 };
 
+/// When a row of the results was read, and how its write settled, ps.
+struct write_timing {
+  std::uint64_t read_at;  ///< the leading edge of the valid port, since the start
+
+  /// From the clock edge before the valid port's leading edge to the last change of an output, and until none could change
+  /// any more. A gap shorter than that is what the strobe cuts off: what comes later is not in it.
+  std::uint64_t settled_after, busy_for;
+};
+
+/// A device in SystemC whose blocks take the time that was measured.
+class timed_engine : public systemc_engine {
+ public:
+  /// Of the rows of the last run.
+  virtual const std::vector<write_timing>& timings() const = 0;
+
+ protected:
+  using systemc_engine::systemc_engine;
+};
+
 /// Whether a VCD file, timescale 1 ps, ends as a whole line not longer than a clock period before `now_ps`.
-bool ends_at(const std::string& vcd, double now_ps);
+bool ends_at(const std::string& vcd, double now_ps, double clock_period_ns = kClockPeriodNs);
 
 /// \throws std::logic_error for a device without a strobe that writes by its trailing edge and a valid port
 std::unique_ptr<systemc_engine> make_systemc(const selection& asked);
+
+/// \param period_ns  of the clock, an even number of ps; a strobe comes half of it after the clock edge that loads the
+///                   registers
+/// \throws std::invalid_argument for a device without strobes, or whose nets take no delays
+std::unique_ptr<timed_engine> make_timed(const selection& asked, device_delays delays, double period_ns);
 
 }  // namespace blysk::harness
