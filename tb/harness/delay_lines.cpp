@@ -44,6 +44,8 @@ class delay_lines::line final : public any_wire::taker {
         inputs_(inputs),
         seen_(inputs.size()),
         until_(ps.size(), 0),
+        active_(ps.size(), 0),
+        is_register_(std::ranges::all_of(inputs, [](const input& each) { return each.wire == nullptr; })),
         shown_(static_cast<std::uint64_t>(output.value()) & mask_) {
     for (std::size_t from = 0; from < ps.front().size(); ++from) {
       std::vector<int>& row = reach_.emplace_back();
@@ -70,8 +72,9 @@ class delay_lines::line final : public any_wire::taker {
     for (std::size_t bit = 0; bit < until_.size(); ++bit) {
       if (reached_[bit] >= 0)
         until_[bit] = std::max(until_[bit], now + static_cast<picoseconds>(reached_[bit]));
-      history_.busy_until = std::max(history_.busy_until, until_[bit]);
-      if ((pending_ >> bit & 1) != 0) next_ = std::min(next_, std::max(until_[bit], now));
+      if ((pending_ >> bit & 1) == 0) continue;
+      next_ = std::min(next_, std::max(until_[bit], now));
+      if (is_register_) active_[bit] = until_[bit];
     }
     owner_.arm(next_);
   }
@@ -98,6 +101,28 @@ class delay_lines::line final : public any_wire::taker {
     output_.show(static_cast<std::int64_t>((shown_ & sign_) != 0 ? shown_ | ~mask_ : shown_));
   }
 
+  /// Until when each bit may change, from that of the inputs.
+  /// \param driver  the line that stands behind a wire, or null
+  template <class Driver>
+  void find_activity(const Driver& driver) {
+    if (!is_register_) {
+      std::size_t first = 0;
+      for (const input& each : inputs_) {
+        const line* const from = driver(each.wire);
+        for (std::size_t bit = 0; from != nullptr && bit < from->active_.size(); ++bit) {
+          const picoseconds start = from->active_[bit];
+          if (start == 0) continue;
+          const std::vector<int>& row = reach_[first + bit];
+          for (std::size_t to = 0; to < row.size(); ++to) {
+            if (row[to] >= 0) active_[to] = std::max(active_[to], start + static_cast<picoseconds>(row[to]));
+          }
+        }
+        first += static_cast<std::size_t>(each.width);
+      }
+    }
+    history_.busy_until = std::ranges::max(active_);
+  }
+
   const any_wire& output() const { return output_; }
   const wire_history& history() const { return history_; }
   picoseconds next() const { return next_; }
@@ -121,6 +146,8 @@ class delay_lines::line final : public any_wire::taker {
   std::vector<std::vector<int>> reach_;  // [bit of the inputs][bit of the output], ps
   std::vector<int> reached_;             // the same for all that has changed now
   std::vector<picoseconds> until_;       // what each bit waits for
+  std::vector<picoseconds> active_;      // until when each may change between values
+  bool is_register_;
   std::uint64_t shown_;
   std::uint64_t target_ = 0;
   std::uint64_t pending_ = 0;  // bits that are to change
@@ -146,11 +173,12 @@ void delay_lines::delay(const netlist::elaborated& device, const device_delays& 
 void delay_lines::delay(any_wire& output, const std::vector<input>& inputs,
                         const std::vector<std::vector<int>>& ps) {
   lines_.push_back(std::make_unique<line>(*this, output, inputs, ps));
+  drivers_[&output] = lines_.back().get();
 }
 
 void delay_lines::end_of_elaboration() {
   if (device_ == nullptr) return;
-  for (const sc_core::sc_module* module : device_->parts().modules()) {
+  for (const sc_core::sc_module* module : in_order_of_data(*device_, netlist::registers_are::sources)) {
     std::map<std::string, any_wire*> wires;
     const netlist::block& part = *device_->parts().find(*module);
     const std::string path = device_->path_of(*module);
@@ -190,6 +218,14 @@ const wire_history& delay_lines::history(const any_wire& of) const {
   const auto found = std::ranges::find(lines_, &of, [](const auto& each) { return &each->output(); });
   if (found == lines_.end()) throw std::invalid_argument("a wire has no delays");
   return (*found)->history();
+}
+
+void delay_lines::find_activity() {
+  const auto driver = [this](const any_wire* wire) -> const line* {
+    const auto found = drivers_.find(wire);
+    return found == drivers_.end() ? nullptr : found->second;
+  };
+  for (const auto& each : lines_) each->find_activity(driver);
 }
 
 picoseconds delay_lines::next() const {

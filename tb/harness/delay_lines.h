@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <memory>
 #include <string>
 #include <systemc>
@@ -27,7 +28,7 @@ using picoseconds = std::uint64_t;
 struct wire_history {
   picoseconds changed_at = 0;
   std::uint64_t changed_bits = 0;  ///< at that time
-  picoseconds busy_until = 0;      ///< the delays of all that changed at the block's inputs are over
+  picoseconds busy_until = 0;      ///< no path from a changed bit of a register is under way any more; see find_activity()
 };
 
 class delay_lines final : public sc_core::sc_module {
@@ -57,6 +58,10 @@ class delay_lines final : public sc_core::sc_module {
   /// \throws std::invalid_argument for a wire without delays
   const wire_history& history(const netlist::any_wire& of) const;
 
+  /// Brings `busy_until` of all wires of the device up to date: for each bit the longest path to it from the bits of
+  /// registers that changed. Between the blocks' values, cells may change their outputs for a while that long.
+  void find_activity();
+
   /// The earliest time of what is pending; the largest number if nothing is.
   picoseconds next() const;
 
@@ -69,7 +74,8 @@ class delay_lines final : public sc_core::sc_module {
 
   const netlist::elaborated* device_ = nullptr;
   const device_delays* delays_ = nullptr;
-  std::vector<std::unique_ptr<line>> lines_;
+  std::vector<std::unique_ptr<line>> lines_;  // those of a device in the order of its data
+  std::map<const netlist::any_wire*, const line*> drivers_;
   sc_core::sc_event due_;
   picoseconds armed_ = std::numeric_limits<picoseconds>::max();
 };

@@ -80,8 +80,9 @@ class settling_bench::driver final : public sc_core::sc_module {
     ++writes_;
   }
 
-  settled_write history() const {
+  settled_write history() {
     settled_write result;
+    lines_.find_activity();
     for (const bound_port* each : results_) {
       const wire_history& of = lines_.history(*each->wire());
       if (of.busy_until > loaded_at_) result.busy_for = std::max(result.busy_for, of.busy_until - loaded_at_);

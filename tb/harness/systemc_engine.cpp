@@ -103,6 +103,7 @@ class engine_with_delays final : public engine_of_host<timed_engine> {
     const picoseconds loaded_at = now - half_period_;
     write_timing& timing = timings_.at(row);
     timing.read_at = now;
+    lines_.find_activity();
     for (const netlist::any_wire* output : outputs_) {
       const wire_history& history = lines_.history(*output);
       const auto after = [&](picoseconds at) { return at > loaded_at ? at - loaded_at : 0; };

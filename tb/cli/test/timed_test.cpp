@@ -33,8 +33,8 @@ std::map<std::string, std::vector<long long>> changes_of(const std::string& vcd)
     } else if (first == "$upscope") {
       scope.clear();
     } else if (first == "$var") {
-      std::string code, name;
-      words >> code >> name;
+      std::string width, code, name;
+      words >> width >> code >> name;
       names[code] = scope + name;
     } else if (first.starts_with('#')) {
       now = std::stoll(first.substr(1));
@@ -119,12 +119,12 @@ TEST_CASE("a strobe that comes too early is reported with time, signal and value
   const outcome early = run_blysk(folder, of + "4 --json");
   CHECK(early.status == 1);
   // Two cycles of reset, two a write; strobes come at the falling edges.
-  CHECK_THAT(early.err, Contains("blysk: row 1: the strobe at 18.000 ns comes too early: "));
-  CHECK_THAT(early.err, Contains(" carries the code ") && Contains(", expected "));
+  CHECK_THAT(early.err, Contains("blysk: row 2: the strobe at 26.000 ns comes too early: out25_red carries the code "));
+  CHECK_THAT(early.err, Contains(", expected 65280\n"));
   const json told = json::parse(early.out);
   CHECK(told["early"].get<int>() > 0);
-  CHECK(told["early_strobes"][0]["row"] == 1);
-  CHECK(told["early_strobes"][0]["time_ns"] == 18.0);
+  CHECK(told["early_strobes"][0]["row"] == 2);
+  CHECK(told["early_strobes"][0]["time_ns"] == 26.0);
   CHECK(told["early_strobes"][0]["got"] != told["early_strobes"][0]["expected"]);
   CHECK(run_blysk(folder, of + "40").status == 0);
 }

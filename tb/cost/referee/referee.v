@@ -2,7 +2,8 @@
 // Writes a device's registers as the bench in SystemC does, and prints of each write how long the outputs changed after the
 // clock edge that loaded the registers, ps, and what they became: "ROW PS RED GREEN BLUE" of decimal numbers.
 // writes.txt has a line "n cos r g b" of decimal codes for each write. The macros are the widths, half the clock's period in
-// ps and the clock cycles that a device takes beyond the two of a write. +sdf=FILE annotates the cells.
+// ps and the clock cycles that a device takes beyond the two of a write. +sdf=FILE annotates the cells, +vcd=FILE
+// records the nets between the blocks.
 `timescale 1ps / 1ps
 
 module referee;
@@ -23,7 +24,7 @@ module referee;
 
   integer file, fields, row = 0, more;
   time loaded, changed;
-  reg [8*256-1:0] sdf;
+  reg [8*256-1:0] sdf, vcd;
 
   always @(posedge clk) loaded = $time;
   always @(red or green or blue) changed = $time;
@@ -33,6 +34,12 @@ module referee;
     if (row > 0) $display("%0d %0d %0d %0d %0d", row, changed > loaded ? changed - loaded : 0, red, green, blue);
 
   initial if ($value$plusargs("sdf=%s", sdf)) $sdf_annotate(sdf, dut.device);
+
+  initial
+    if ($value$plusargs("vcd=%s", vcd)) begin
+      $dumpfile(vcd);
+      $dumpvars(1, dut.device);
+    end
 
   initial begin
     file = $fopen("writes.txt", "r");

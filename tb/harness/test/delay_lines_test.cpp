@@ -21,7 +21,7 @@ void run(double ps) {
 // One case: SystemC elaborates once in a process.
 TEST_CASE("delays are inertial, and each bit has its own", "[harness][delays]") {
   constexpr int no = block_delays::kNoPath;
-  wire<bool> a, y;
+  wire<bool> a, y, other;
   buffer wired("wired");
   wired.a_i(a);
   wired.y_o(y);
@@ -45,7 +45,6 @@ TEST_CASE("delays are inertial, and each bit has its own", "[harness][delays]") 
   run(1000);
   CHECK_FALSE(y.read());
   CHECK(lines.history(y).changed_at == 0);
-  CHECK(lines.history(y).busy_until == harness::now_ps() - 1000 + 200);
   a.write(true);
   run(199);
   CHECK_FALSE(y.read());
@@ -84,6 +83,5 @@ TEST_CASE("delays are inertial, and each bit has its own", "[harness][delays]") 
   CHECK(lines.history(result).changed_bits == 8);
   CHECK(lines.next() == std::numeric_limits<harness::picoseconds>::max());
 
-  wire<bool> other;
   CHECK_THROWS_AS(lines.history(other), std::invalid_argument);
 }
