@@ -18,8 +18,8 @@ struct timed_pin {
 struct block_delays {
   static constexpr int kNoPath = -1;
 
-  std::string block;               ///< its path within the device, "mul7"
-  std::vector<timed_pin> inputs;   ///< those of one bit are controls
+  std::string block;              ///< its path within the device, "mul7"
+  std::vector<timed_pin> inputs;  ///< those of one bit are controls
   std::vector<timed_pin> outputs;
 
   /// ps, the worst of both edges, or kNoPath: [output][bit of the output][bit of the inputs], the inputs one after the

@@ -44,7 +44,9 @@ struct channel_of {
   using type = sc_core::sc_signal<T>;
 };
 template <class Formats, class T>
-  requires requires { typename Formats::template channel<T>; }
+requires requires {
+  typename Formats::template channel<T>;
+}
 struct channel_of<Formats, T> {
   using type = typename Formats::template channel<T>;
 };

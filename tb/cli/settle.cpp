@@ -256,7 +256,8 @@ void run(const options& asked) {
   }
   fmt::print(
       "smallest gap {:.3f} ns from the clock edge that loads the registers to the strobe's leading edge\n"
-      "seen    {:.3f} ns, the last change of an output in {} pairs: {} of corners, {} random, {} guided, seed {}\n"
+      "seen    {:.3f} ns, the last change of an output in {} pairs: {} of corners, {} random, {} guided, "
+      "seed {}\n"
       "bound   {:.3f} ns from bit to bit through the blocks; {:.3f} ns with one worst delay a block\n"
       "path    {:.3f} ns, the longest by static timing\n"
       "pair    {}\n"

@@ -69,8 +69,9 @@ void check(const options& asked) {
   expect_different_files({"--stimulus", "--results", "--vcd", "--delays", "--settling"},
                          {asked.stimulus, asked.results, asked.vcd, asked.delays, asked.settling});
   if (!asked.vcd.empty() && asked.engine != "systemc" && !asked.is_timed()) {
-    throw usage_error(fmt::format("--vcd records signals and engine {} has none, expected engine systemc or {}",
-                                  asked.engine, kTimedEngine));
+    throw usage_error(
+        fmt::format("--vcd records signals and engine {} has none, expected engine systemc or {}",
+                    asked.engine, kTimedEngine));
   }
   if (asked.vcd_deltas && asked.vcd.empty())
     throw usage_error("--vcd-deltas is about the waves of --vcd, expected that too");
@@ -99,8 +100,8 @@ void check(const options& asked) {
   }
 }
 
-void report(const options& asked, const selection& device, const outcome& run,
-            const clocked_engine* clocked, const timed_run& timed) {
+void report(const options& asked, const selection& device, const outcome& run, const clocked_engine* clocked,
+            const timed_run& timed) {
   nlohmann::ordered_json json{{"device", device.of().name()},
                               {"format", device.format()},
                               {"engine", asked.engine},
@@ -146,9 +147,10 @@ void report(const options& asked, const selection& device, const outcome& run,
                        {"signal", each.signal},
                        {"got", each.got},
                        {"expected", each.expected}});
-      fmt::print(stderr,
-                 "blysk: row {}: the strobe at {:.3f} ns comes too early: {} carries the code {}, expected {}\n",
-                 each.row, ns(each.at_ps), each.signal, each.got, each.expected);
+      fmt::print(
+          stderr,
+          "blysk: row {}: the strobe at {:.3f} ns comes too early: {} carries the code {}, expected {}\n",
+          each.row, ns(each.at_ps), each.signal, each.got, each.expected);
     }
     if (timed.early > timed.first.size())
       fmt::print(stderr, "blysk: {} rows more have such a strobe\n", timed.early - timed.first.size());
@@ -191,7 +193,8 @@ void look_at_strobes(timed_run& run, const std::vector<port>& results, const row
     run.settled_after = std::max(run.settled_after, timing.settled_after);
     run.busy_for = std::max(run.busy_for, timing.busy_for);
     if (settling != nullptr) {
-      settling->write(fmt::format("{},{:.3f},{:.3f}\n", run.rows, static_cast<double>(timing.settled_after) / 1000,
+      settling->write(fmt::format("{},{:.3f},{:.3f}\n", run.rows,
+                                  static_cast<double>(timing.settled_after) / 1000,
                                   static_cast<double>(timing.busy_for) / 1000));
     }
     for (std::size_t i = 0; i < results.size(); ++i) {
@@ -288,15 +291,18 @@ void add_simulate(CLI::App& program, int& status) {
   verb->add_option("--vcd", asked->vcd, "record the waves (engine systemc or timed)");
   verb->add_flag("--vcd-deltas", asked->vcd_deltas,
                  "write each delta cycle 1 ps after the one before it, which shows the order of settling");
-  verb->add_option("--period", asked->period_ns,
-                   "ns of the clock (engine timed); a strobe comes half of it after the registers are loaded, and "
-                   "one that comes too early is reported. Without it the period is long enough for all writes");
-  verb->add_option("--delays", asked->delays,
-                   "delays of the blocks (engine timed), as scripts/synth --delays writes them; without it those "
-                   "that were measured when the program was built");
-  verb->add_option("--settling", asked->settling,
-                   "CSV to write (engine timed): for each row how long the outputs changed after its clock edge, "
-                   "and how long they might have");
+  verb->add_option(
+      "--period", asked->period_ns,
+      "ns of the clock (engine timed); a strobe comes half of it after the registers are loaded, and "
+      "one that comes too early is reported. Without it the period is long enough for all writes");
+  verb->add_option(
+      "--delays", asked->delays,
+      "delays of the blocks (engine timed), as scripts/synth --delays writes them; without it those "
+      "that were measured when the program was built");
+  verb->add_option(
+      "--settling", asked->settling,
+      "CSV to write (engine timed): for each row how long the outputs changed after its clock edge, "
+      "and how long they might have");
   verb->add_flag(
       "--clamp", asked->clamps,
       "take real numbers not more than 2^-23 outside their range, as rounding leaves them, for its end; the "

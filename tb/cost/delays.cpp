@@ -110,8 +110,16 @@ nlohmann::ordered_json json_of(const device_delays& delays) {
 device_delays parse_delays(const std::string& path, const std::string& text) {
   const json file = parse_json(path, text);
   try {
-    device_delays result{file.at("device"), file.at("format"), file.at("options"), file.at("digest"),
-                         file.at("tools"),  file.at("script"), {},                 file.at("bound_ps"), file.at("blocks_bound_ps"), {}};
+    device_delays result{file.at("device"),
+                         file.at("format"),
+                         file.at("options"),
+                         file.at("digest"),
+                         file.at("tools"),
+                         file.at("script"),
+                         {},
+                         file.at("bound_ps"),
+                         file.at("blocks_bound_ps"),
+                         {}};
     if (result.bound_ps <= 0 || result.bound_ps > kMostPs || result.blocks_bound_ps < result.bound_ps)
       throw std::domain_error("a bound is out of its range");
     for (const std::string line : file.at("path_ps")) {
@@ -123,8 +131,7 @@ device_delays parse_delays(const std::string& path, const std::string& text) {
       result.blocks.push_back(block_of(name, block));
     return result;
   } catch (const json::exception&) {
-    throw file_error(path, 0,
-                     fmt::format("is damaged: a key is missing or of another type, {}", kMaker));
+    throw file_error(path, 0, fmt::format("is damaged: a key is missing or of another type, {}", kMaker));
   } catch (const std::domain_error& error) {
     throw file_error(path, 0, fmt::format("is damaged: {}, {}", error.what(), kMaker));
   }
@@ -138,11 +145,10 @@ device_delays read_delays(const std::string& file, const selection& asked, const
     const auto all = embedded_files();
     const auto found = std::ranges::find(all, place, &measured_file::path);
     if (found == all.end()) {
-      throw std::invalid_argument(
-          fmt::format("the delays of device {} in format {}{} were not measured, expected --delays FILE; "
-                      "scripts/synth --delays measures them",
-                      asked.of().name(), asked.format(),
-                      given_options(asked).empty() ? "" : " with these options"));
+      throw std::invalid_argument(fmt::format(
+          "the delays of device {} in format {}{} were not measured, expected --delays FILE; "
+          "scripts/synth --delays measures them",
+          asked.of().name(), asked.format(), given_options(asked).empty() ? "" : " with these options"));
     }
     path = "docs/tables/" + place;
     text = found->text;

@@ -55,9 +55,10 @@ std::map<std::array<std::string, 3>, sense> read_senses(const std::string& path)
     if (word.starts_with("related_pin")) related = value_after(line, "related_pin");
     if (!word.starts_with("timing_sense")) continue;
     const std::string kind = value_after(line, "timing_sense");
-    sense& of = senses.try_emplace({cell, related, pin}, kind == "positive_unate"   ? sense::positive
-                                                         : kind == "negative_unate" ? sense::negative
-                                                                                    : sense::none)
+    sense& of = senses
+                    .try_emplace({cell, related, pin}, kind == "positive_unate"   ? sense::positive
+                                                       : kind == "negative_unate" ? sense::negative
+                                                                                  : sense::none)
                     .first->second;
     if ((kind == "positive_unate") != (of == sense::positive) ||
         (kind == "negative_unate") != (of == sense::negative))
@@ -85,8 +86,8 @@ int worst_ps(const std::string& path, std::size_t line, std::string_view text) {
 }
 
 /// The cells' arcs by instance, "mul6._0660_".
-std::map<std::string, std::vector<arc>> read_arcs(
-    const std::string& path, const std::map<std::array<std::string, 3>, sense>& senses) {
+std::map<std::string, std::vector<arc>> read_arcs(const std::string& path,
+                                                  const std::map<std::array<std::string, 3>, sense>& senses) {
   std::map<std::string, std::vector<arc>> arcs;
   std::istringstream lines(read_text(path));
   std::string line, cell, instance;

@@ -55,14 +55,15 @@ void prepare(const selection& asked, const fs::path& folder) {
                                                     "report_checks -path_delay max -digits 4\n",
                                                     asked.top_name(), kPeriodNs, clock));
   cost::write_text(folder / "wrapper" / "mapped.v", cost::split_wrapper(asked, "mapped"));
-  cost::write_text(folder / "delays.tcl", fmt::format("read_liberty delays/cells.lib\n"
-                                                      "read_verilog delays/netlist.v\n"
-                                                      "link_design {}\n"
-                                                      "create_clock -name clk -period {} [get_ports {}]\n"
-                                                      "set_output_delay 0 -clock clk [all_outputs]\n"
-                                                      "report_checks -path_delay max -digits 4\n"
-                                                      "write_sdf -divider . -no_timestamp -digits 3 delays/cells.sdf\n",
-                                                      asked.top_name(), kPeriodNs, clock));
+  cost::write_text(folder / "delays.tcl",
+                   fmt::format("read_liberty delays/cells.lib\n"
+                               "read_verilog delays/netlist.v\n"
+                               "link_design {}\n"
+                               "create_clock -name clk -period {} [get_ports {}]\n"
+                               "set_output_delay 0 -clock clk [all_outputs]\n"
+                               "report_checks -path_delay max -digits 4\n"
+                               "write_sdf -divider . -no_timestamp -digits 3 delays/cells.sdf\n",
+                               asked.top_name(), kPeriodNs, clock));
 }
 
 /// What a part of the folder says of its tools.
@@ -160,8 +161,7 @@ int main(int argc, char** argv) {
             ->check(CLI::IsMember({"cost", "delays"}));
         for (CLI::App* each : {prepares, collects, delays})
           each->add_option("FOLDER", folder, "of the tools")->required();
-        for (CLI::App* each : {collects, delays})
-          each->add_option("--row", row, "file to write")->required();
+        for (CLI::App* each : {collects, delays}) each->add_option("--row", row, "file to write")->required();
       },
       [&] {
         const selection chosen = asked.choose();

@@ -22,8 +22,9 @@ std::uint64_t mask_of(int width) {
 }
 
 std::string no_wires(const std::string& block) {
-  return fmt::format("the nets at block {} take no delays, expected wires of the bench; engine timed has no such device",
-                     block);
+  return fmt::format(
+      "the nets at block {} take no delays, expected wires of the bench; engine timed has no such device",
+      block);
 }
 
 }  // namespace
@@ -184,7 +185,8 @@ void delay_lines::end_of_elaboration() {
     const std::string path = device_->path_of(*module);
     bool has_inputs = false;
     for (const sc_core::sc_port_base* port : netlist::ports_of_module(*module)) {
-      auto* const channel = const_cast<sc_core::sc_port_base*>(port)->get_interface();  // what is bound is no part of it
+      auto* const channel =
+          const_cast<sc_core::sc_port_base*>(port)->get_interface();  // what is bound is no part of it
       wires[port->basename()] = dynamic_cast<any_wire*>(channel);
       has_inputs |= part.described(port->basename()).where == netlist::declaration::role::input;
     }
@@ -195,8 +197,8 @@ void delay_lines::end_of_elaboration() {
     const auto wire_of = [&](const timed_pin& pin) {
       const auto wire = wires.find(pin.name);
       if (wire == wires.end() || part.described(pin.name).bits.width != pin.width)
-        throw std::invalid_argument(
-            fmt::format("the delays have {}.{} of {} bits, and the device has not", path, pin.name, pin.width));
+        throw std::invalid_argument(fmt::format("the delays have {}.{} of {} bits, and the device has not",
+                                                path, pin.name, pin.width));
       return wire->second;
     };
     std::vector<input> inputs;

@@ -28,7 +28,8 @@ using picoseconds = std::uint64_t;
 struct wire_history {
   picoseconds changed_at = 0;
   std::uint64_t changed_bits = 0;  ///< at that time
-  picoseconds busy_until = 0;      ///< no path from a changed bit of a register is under way any more; see find_activity()
+  picoseconds busy_until =
+      0;  ///< no path from a changed bit of a register is under way any more; see find_activity()
 };
 
 class delay_lines final : public sc_core::sc_module {

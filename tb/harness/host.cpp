@@ -160,7 +160,8 @@ class handshake_host final : public sc_core::sc_module, public host {
  public:
   using SC_CURRENT_USER_MODULE = handshake_host;
 
-  handshake_host(const sc_core::sc_module_name& name, const netlist::elaborated& device, double clock_period_ns)
+  handshake_host(const sc_core::sc_module_name& name, const netlist::elaborated& device,
+                 double clock_period_ns)
       : sc_core::sc_module(name), period_(clock_period_ns, sc_core::SC_NS) {
     for (const auto& each : device.ports()) {
       const port::role role = each->what.is;

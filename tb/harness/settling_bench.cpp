@@ -27,9 +27,9 @@ class settling_bench::driver final : public sc_core::sc_module {
         device_(asked.of().elaborate(asked, 0)),
         lines_("delays") {
     if (protocol_of(asked.of().ports(asked)) != protocol::strobes) {
-      throw std::invalid_argument(
-          fmt::format("device {} has no strobe that its outputs settle before, expected a device with strobes",
-                      asked.of().name()));
+      throw std::invalid_argument(fmt::format(
+          "device {} has no strobe that its outputs settle before, expected a device with strobes",
+          asked.of().name()));
     }
     lines_.delay(*device_, delays_);
     for (const auto& each : device_->ports()) {

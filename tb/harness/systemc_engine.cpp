@@ -140,10 +140,10 @@ std::unique_ptr<systemc_engine> make_systemc(const selection& asked) {
 
 std::unique_ptr<timed_engine> make_timed(const selection& asked, device_delays delays, double period_ns) {
   if (protocol_of(asked.of().ports(asked)) != protocol::strobes) {
-    throw std::invalid_argument(
-        fmt::format("engine timed shows how outputs settle before a strobe and device {} has none, expected a "
-                    "device with strobes",
-                    asked.of().name()));
+    throw std::invalid_argument(fmt::format(
+        "engine timed shows how outputs settle before a strobe and device {} has none, expected a "
+        "device with strobes",
+        asked.of().name()));
   }
   return std::make_unique<engine_with_delays>(asked, std::move(delays), period_ns);
 }

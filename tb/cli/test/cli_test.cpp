@@ -690,7 +690,8 @@ TEST_CASE("what cannot be brought to its end is refused, and nothing is left of 
   fails("simulate" + in + to("out.csv") + " --engine systemc --vcd " + quoted(folder.path("w.fst")),
         "w.fst: names another form of waves, expected .vcd");
   fails("shine",
-        "'shine' is no verb, expected simulate, render, model, export, list, vectors, check, explore or settle");
+        "'shine' is no verb, expected simulate, render, model, export, list, vectors, check, explore or "
+        "settle");
   fails("settle --help", "'settle' is no verb");
   CHECK(slurp(stimulus) == slurp(BLYSK_ROOT "/docs/examples/fig3.csv"));
 }

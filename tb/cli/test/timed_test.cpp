@@ -66,8 +66,9 @@ TEST_CASE("with time enough the delays change no result", "[timed]") {
   const std::string of = "simulate --format " + format + " --stimulus " +
                          quoted(BLYSK_ROOT "/docs/examples/fig3.csv") + " --results ";
   REQUIRE(run_blysk(folder, of + quoted(folder.path("bit.csv"))).status == 0);
-  const outcome timed = run_blysk(folder, of + quoted(folder.path("timed.csv")) + " --engine timed --json --settling " +
-                                              quoted(folder.path("settling.csv")));
+  const outcome timed =
+      run_blysk(folder, of + quoted(folder.path("timed.csv")) + " --engine timed --json --settling " +
+                            quoted(folder.path("settling.csv")));
   CAPTURE(timed.err);
   REQUIRE(timed.status == 0);
   CHECK(slurp(folder.path("timed.csv")) == slurp(folder.path("bit.csv")));
@@ -86,8 +87,9 @@ TEST_CASE("with time enough the delays change no result", "[timed]") {
 TEST_CASE("the waves show the blocks settle one after the other, and valid after them", "[timed][waves]") {
   const scratch folder;
   const std::string in = folder.write("in.csv", kStimulus);
-  REQUIRE(run_blysk(folder, "simulate --format q8 --engine timed --period 40 --stimulus " + quoted(in) + " --results " +
-                                quoted(folder.path("r.csv")) + " --vcd " + quoted(folder.path("w.vcd")))
+  REQUIRE(run_blysk(folder, "simulate --format q8 --engine timed --period 40 --stimulus " + quoted(in) +
+                                " --results " + quoted(folder.path("r.csv")) + " --vcd " +
+                                quoted(folder.path("w.vcd")))
               .status == 0);
   const auto changes = changes_of(slurp(folder.path("w.vcd")));
   // Reset 80 ns; the second write's strobe goes up at 180 ns, down at 220 ns, the clock loads at 240 ns.
@@ -97,8 +99,8 @@ TEST_CASE("the waves show the blocks settle one after the other, and valid after
   CHECK(valid == loaded + 20000);
   CHECK(at("rg2.q_o") > loaded);
   CHECK(at("rg2.q_o") < loaded + 1000);
-  const std::vector<std::string> chain{"rg2.q_o", "mul7.p_o", "add9.s_o", "mul10.p_o", "add11.s_o", "quant11.y_o",
-                                       "mul12.p_o"};
+  const std::vector<std::string> chain{"rg2.q_o",   "mul7.p_o",    "add9.s_o", "mul10.p_o",
+                                       "add11.s_o", "quant11.y_o", "mul12.p_o"};
   for (std::size_t i = 1; i < chain.size(); ++i) {
     CAPTURE(chain[i - 1], chain[i], at(chain[i - 1]), at(chain[i]));
     CHECK(at(chain[i]) > at(chain[i - 1]));
@@ -119,7 +121,8 @@ TEST_CASE("a strobe that comes too early is reported with time, signal and value
   const outcome early = run_blysk(folder, of + "4 --json");
   CHECK(early.status == 1);
   // Two cycles of reset, two a write; strobes come at the falling edges.
-  CHECK_THAT(early.err, Contains("blysk: row 2: the strobe at 26.000 ns comes too early: out25_red carries the code "));
+  CHECK_THAT(early.err,
+             Contains("blysk: row 2: the strobe at 26.000 ns comes too early: out25_red carries the code "));
   CHECK_THAT(early.err, Contains(", expected 65280\n"));
   const json told = json::parse(early.out);
   CHECK(told["early"].get<int>() > 0);
@@ -149,15 +152,16 @@ TEST_CASE("settle finds a gap that is right, and wrong one step below", "[timed]
   std::string csv = "n,cos,r,g,b\n";
   for (const char* row : {"before", "after"}) {
     const json& codes = worst[row];
-    csv += std::to_string(codes["n"].get<int>()) + "," + std::to_string(codes["cos"].get<int>() / 256.0) + "," +
-           std::to_string(codes["r"].get<int>()) + "," + std::to_string(codes["g"].get<int>()) + "," +
+    csv += std::to_string(codes["n"].get<int>()) + "," + std::to_string(codes["cos"].get<int>() / 256.0) +
+           "," + std::to_string(codes["r"].get<int>()) + "," + std::to_string(codes["g"].get<int>()) + "," +
            std::to_string(codes["b"].get<int>()) + "\n";
   }
   const std::string in = folder.write("in.csv", csv);
   // The write before the first one of the pair leaves registers at 0, which may settle later: it is the first row's affair.
   const auto simulate = [&](double period) {
-    return run_blysk(folder, "simulate --format q8 --engine timed --json --stimulus " + quoted(in) + " --results " +
-                                 quoted(folder.path("r.csv")) + " --period " + std::to_string(period));
+    return run_blysk(folder, "simulate --format q8 --engine timed --json --stimulus " + quoted(in) +
+                                 " --results " + quoted(folder.path("r.csv")) + " --period " +
+                                 std::to_string(period));
   };
   const double period = told["smallest_period_ns"];
   const auto second_row = [](const outcome& of) {
@@ -188,7 +192,8 @@ TEST_CASE("delta cycles show the order of settling without any delay", "[timed][
   for (std::size_t i = 1; i < chain.size(); ++i) {
     CAPTURE(chain[i]);
     CHECK(last_in(flat.at(chain[i]), loaded, loaded + 1000) == loaded);
-    CHECK(last_in(steps.at(chain[i]), loaded, loaded + 1000) > last_in(steps.at(chain[i - 1]), loaded, loaded + 1000));
+    CHECK(last_in(steps.at(chain[i]), loaded, loaded + 1000) >
+          last_in(steps.at(chain[i - 1]), loaded, loaded + 1000));
   }
 }
 

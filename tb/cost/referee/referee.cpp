@@ -42,7 +42,8 @@ struct judged_block {
 
 class referee {
  public:
-  referee(const device_delays& delays, const json& top, std::map<std::string, int> nets) : nets_(std::move(nets)) {
+  referee(const device_delays& delays, const json& top, std::map<std::string, int> nets)
+      : nets_(std::move(nets)) {
     std::map<int, int> number;  // of the netlist's bits
     for (const auto& [name, what] : top.at("netnames").items()) {
       const json& bit = what.at("bits").at(0);
@@ -99,7 +100,8 @@ class referee {
     if (cycles_ < 4) return;  // reset
     for (judged_block& each : blocks_) {
       for (std::size_t i = 0; i < each.outputs.size(); ++i) {
-        for (std::size_t bit = 0; bit < each.outputs[i].size(); ++bit) judge(each, each.outputs[i][bit], each.of->ps[i][bit]);
+        for (std::size_t bit = 0; bit < each.outputs[i].size(); ++bit)
+          judge(each, each.outputs[i][bit], each.of->ps[i][bit]);
       }
     }
   }
@@ -121,11 +123,13 @@ class referee {
     ++block.checks;
     if (changed > allowed) {
       if (!is_broken_) {
-        fmt::print("{}.{} changes at {} ps, its delays allow {} ps\n", block.of->block, output.name, changed, allowed);
+        fmt::print("{}.{} changes at {} ps, its delays allow {} ps\n", block.of->block, output.name, changed,
+                   allowed);
       }
       is_broken_ = true;
     } else if (allowed > from) {
-      block.nearest = std::max(block.nearest, static_cast<double>(changed - from) / static_cast<double>(allowed - from));
+      block.nearest =
+          std::max(block.nearest, static_cast<double>(changed - from) / static_cast<double>(allowed - from));
     }
   }
 

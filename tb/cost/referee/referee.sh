@@ -87,6 +87,7 @@ case $fault in
 esac
 annotate=(+sdf=cells.sdf)
 [ "$fault" != unannotated ] || annotate=()
+# shellcheck disable=SC2016  # Verilog's own sign
 sed 's,^`timescale.*,`timescale 1ns/1ps,' "${BLYSK_CELLS%.lib}.v" >cells.v
 out_bits=$(sed -nE 's/.*output wire \[([0-9]+):0\] r_o.*/\1/p' "$mapped/wrapper/mapped.v")
 more=$(awk -v cycles="$(number cycles)" -v writes="$(number writes)" 'BEGIN { print int((cycles - 2) / writes) - 2 }')

@@ -58,8 +58,8 @@ constexpr const char* kNetlist = R"({"modules": {
                      "g2": {"type": "XOR", "connections": {"A": [2], "B": [3], "Y": [5]}}}}}})";
 
 std::string cell(const std::string& type, const std::string& instance, const std::string& arcs) {
-  return " (CELL\n  (CELLTYPE \"" + type + "\")\n  (INSTANCE " + instance + ")\n  (DELAY\n   (ABSOLUTE\n" + arcs +
-         "   )\n  )\n )\n";
+  return " (CELL\n  (CELLTYPE \"" + type + "\")\n  (INSTANCE " + instance + ")\n  (DELAY\n   (ABSOLUTE\n" +
+         arcs + "   )\n  )\n )\n";
 }
 
 std::string sdf() {
@@ -67,11 +67,13 @@ std::string sdf() {
          cell("FF", "rg.f0", "    (IOPATH CLK Q (0.100::0.120) (0.200::0.210))\n") +
          cell("FF", "rg.f1", "    (IOPATH CLK Q (0.110::0.110) (0.190::0.190))\n") +
          cell("NAND", "gate.g0",
-              "    (IOPATH A Y (0.010::0.010) (0.100::0.100))\n    (IOPATH B Y (0.020::0.020) (0.200::0.200))\n") +
+              "    (IOPATH A Y (0.010::0.010) (0.100::0.100))\n    (IOPATH B Y (0.020::0.020) "
+              "(0.200::0.200))\n") +
          cell("NAND", "gate.g1",
               "    (IOPATH A Y (0.030::0.030) (0.400::0.400))\n    (IOPATH B Y (0.000::0.000))\n") +
          cell("XOR", "gate.g2",
-              "    (IOPATH A Y (0.050::0.060) (0.070::0.070))\n    (IOPATH B Y (0.040::0.040) (0.045::0.045))\n") +
+              "    (IOPATH A Y (0.050::0.060) (0.070::0.070))\n    (IOPATH B Y (0.040::0.040) "
+              "(0.045::0.045))\n") +
          ")\n";
 }
 
@@ -79,7 +81,8 @@ constexpr const char* kPath =
     "   0.0000    0.0000 ^ rg/f0/CLK (FF)\n   0.2100    0.2100 v rg/f0/Q (FF)\n"
     "   0.2304    0.4404 ^ gate/g1/Y (NAND)\n   0.0000    0.4404 ^ y (out)\n   0.4404   data arrival time\n";
 
-device_delays measured(const scratch& folder, const std::string& delays = sdf(), const std::string& path = kPath) {
+device_delays measured(const scratch& folder, const std::string& delays = sdf(),
+                       const std::string& path = kPath) {
   device_delays of;
   cost::measure({.netlist = folder.write("n.json", kNetlist),
                  .sdf = folder.write("d.sdf", delays),
@@ -136,8 +139,9 @@ TEST_CASE("delays are read as they were written, and belong to one Verilog", "[d
   const device_delays again = cost::read_delays(path, asked, "sha256:1");
   CHECK(cost::stored_text(cost::json_of(again)) == text);
   CHECK(again.blocks[1].ps == of.blocks[1].ps);
-  CHECK_THROWS_WITH(cost::read_delays(path, asked, "sha256:2"),
-                    Contains("delays.json: belongs to another Verilog (sha256:1), expected the digest sha256:2"));
+  CHECK_THROWS_WITH(
+      cost::read_delays(path, asked, "sha256:2"),
+      Contains("delays.json: belongs to another Verilog (sha256:1), expected the digest sha256:2"));
   CHECK_THROWS_WITH(cost::read_delays(path, choose(asked.of().name(), "q10"), "sha256:1"),
                     Contains("has the delays of device") && Contains("format q8, expected those of device"));
   const auto spoilt = [&](const std::string& from, const std::string& to) {
@@ -150,7 +154,8 @@ TEST_CASE("delays are read as they were written, and belong to one Verilog", "[d
   CHECK_THROWS_WITH(read(spoilt("410 420", "410")), Contains("gate.y_o[0] has 1 delays, not 2"));
   CHECK_THROWS_WITH(read(spoilt("410 420", "410 -7")), Contains("-7 is no number"));
   CHECK_THROWS_WITH(read(spoilt("a_i:2", "a_i:99")), Contains("99 is no number from 1 to 64"));
-  CHECK_THROWS_WITH(read(spoilt("\"bound_ps\": 620", "\"bound_ps\": 0")), Contains("a bound is out of its range"));
+  CHECK_THROWS_WITH(read(spoilt("\"bound_ps\": 620", "\"bound_ps\": 0")),
+                    Contains("a bound is out of its range"));
   CHECK_THROWS_WITH(read(spoilt("\"script\"", "\"scrapt\"")), Contains("a key is missing"));
   CHECK_THROWS_WITH(read(folder.write("half.json", text.substr(0, text.size() / 2))), Contains("is damaged"));
 }
