@@ -59,6 +59,14 @@ std::vector<timed_pin> pins_of(const std::string& text) {
   return pins;
 }
 
+/// \throws std::domain_error unless it is a whole number above 0 that a path can take
+int bound_of(const json& file, const char* key) {
+  const json& value = file.at(key);
+  if (!value.is_number_unsigned() || value == 0 || value > kMostPs)
+    throw std::domain_error(fmt::format("{} is no time from 1 to {} ps", key, kMostPs));
+  return value;
+}
+
 json json_of(const block_delays& of) {
   json result{{"inputs", text_of(of.inputs)}, {"outputs", text_of(of.outputs)}};
   json& rows = result["ps"] = json::object();
@@ -117,11 +125,11 @@ device_delays parse_delays(const std::string& path, const std::string& text) {
                          file.at("tools"),
                          file.at("script"),
                          {},
-                         file.at("bound_ps"),
-                         file.at("blocks_bound_ps"),
+                         bound_of(file, "bound_ps"),
+                         bound_of(file, "blocks_bound_ps"),
                          {}};
-    if (result.bound_ps <= 0 || result.bound_ps > kMostPs || result.blocks_bound_ps < result.bound_ps)
-      throw std::domain_error("a bound is out of its range");
+    if (result.blocks_bound_ps < result.bound_ps)
+      throw std::domain_error("blocks_bound_ps is below bound_ps");
     for (const std::string line : file.at("path_ps")) {
       const auto words = words_of(line);
       if (words.size() != 2) throw std::domain_error("a step of the path is no block and a time");

@@ -96,9 +96,19 @@ cp "$row" "$folder/before"
 runs 2 'reports an error of OpenSTA'
 cmp "$row" "$folder/before" || fail "the row was written"
 
+# Delays without a tool: nothing is written.
+rm "$folder/tools/sta"
+status=0
+"$tree/scripts/synth" --delays "$device" q8 2>"$folder/error" || status=$?
+cat "$folder/error"
+if [ "$status" != 1 ] || ! grep -q 'delays skipped, sta is not there .*; nothing is written$' "$folder/error"; then
+  fail "delays without sta: status $status"
+fi
+[ ! -e "$folder/rows/$identifier/delays_q8.json" ] || fail "delays without sta were written"
+
 # Bad use.
 stub sta <<<"$good_sta"
-for words in "$device q9" "nothing q8" "$device q8 --nothing" "$device q8 -x"; do
+for words in --delays "--delays --nothing" "$device q9" "nothing q8" "$device q8 --nothing" "$device q8 -x"; do
   status=0
   # shellcheck disable=SC2086  # a word each
   "$tree/scripts/synth" $words 2>"$folder/error" || status=$?

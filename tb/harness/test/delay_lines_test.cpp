@@ -6,6 +6,9 @@
 #include "rtl_sysc/blocks/mul.h"
 #include "tb/catch.h"
 
+// SystemC's own objects, compiled by g++, refer to parts of this class that clang leaves out at -O3 otherwise.
+template class sc_core::sc_signal<bool>;
+
 namespace {
 
 using namespace blysk;
