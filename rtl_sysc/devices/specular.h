@@ -37,6 +37,20 @@ struct patent_figure {
   static constexpr pin valid_o{"valid_o", "29", "valid29", "25..27 are valid at its leading edge"};
 };
 
+/// The channel of a net that carries a T: a signal, or Formats::channel<T> where a bench has put its own channels, with the
+/// interfaces of a signal, in the place of the nets.
+template <class Formats, class T>
+struct channel_of {
+  using type = sc_core::sc_signal<T>;
+};
+template <class Formats, class T>
+requires requires {
+  typename Formats::template channel<T>;
+}
+struct channel_of<Formats, T> {
+  using type = typename Formats::template channel<T>;
+};
+
 /// What the devices that shade a point have in common: the five registers, the three colour multipliers and the strobes
 /// of [P] fig. 1 and fig. 3, which UA 22802 and [T] fig. 3.1 share.
 ///   (r_o, g_o, b_o) = brdf * (R, G, B) k_s
@@ -55,7 +69,7 @@ struct specular_device : sc_core::sc_module {
   template <class Q>
   using out = sc_core::sc_out<typename Q::raw_t>;
   template <class Q>
-  using net = sc_core::sc_signal<typename Q::raw_t>;
+  using net = typename channel_of<Formats, typename Q::raw_t>::type;
   using mul_colour = mul<typename Formats::brdf, colour, typename Formats::out>;
 
   sc_core::sc_in<bool> SC_NAMED(clk);

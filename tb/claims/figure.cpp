@@ -51,8 +51,9 @@ figure_list load_figures(const std::filesystem::path& file) {
 const measurements& all_measurements() {
   static const measurements result = [] {
     measurements all;
-    for (const auto& add : {measure_patent, measure_article, measure_relative_errors, measure_absolute_errors,
-                            measure_energy, measure_pictures, measure_whole_numbers, measure_errata})
+    for (const auto& add :
+         {measure_patent, measure_article, measure_relative_errors, measure_absolute_errors, measure_energy,
+          measure_pictures, measure_settling, measure_whole_numbers, measure_errata})
       add(all);
     return all;
   }();

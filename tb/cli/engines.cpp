@@ -28,11 +28,12 @@ const std::vector<engine_choice>& engine_choices() {
   return choices;
 }
 
-const engine_choice& find_engine(const std::string& name) {
+const engine_choice& find_engine(const std::string& name, const std::vector<std::string_view>& others) {
   const auto found = std::ranges::find(engine_choices(), name, &engine_choice::name);
   if (found != engine_choices().end()) return *found;
   std::vector<std::string_view> names;
   std::ranges::transform(engine_choices(), std::back_inserter(names), &engine_choice::name);
+  std::ranges::copy(others, std::back_inserter(names));
   throw std::invalid_argument(
       fmt::format("engine {} does not exist, expected {}", name, fmt::join(names, ", ")));
 }

@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "tb/cosim/verilator_engine.h"
 #include "tb/device.h"
@@ -21,7 +22,11 @@ struct engine_choice {
 
 const std::vector<engine_choice>& engine_choices();
 
+/// The engine with measured delays, which `simulate` alone has: it takes more than a selection.
+inline constexpr std::string_view kTimedEngine = "timed";
+
+/// \param others  names that the caller knows besides, for the message
 /// \throws std::invalid_argument for an engine that does not exist
-const engine_choice& find_engine(const std::string& name);
+const engine_choice& find_engine(const std::string& name, const std::vector<std::string_view>& others = {});
 
 }  // namespace blysk::cli

@@ -97,6 +97,7 @@ json listing() {
   listed["formats"] = format_names;
   listed["engines"] = json::array();
   for (const engine_choice& each : engine_choices()) listed["engines"].push_back(each.name);
+  listed["engines"].push_back(kTimedEngine);
   listed["models"] = json::array();
   for (const golden::model& model : golden::models()) {
     listed["models"].push_back({{"name", model.name},

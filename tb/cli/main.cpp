@@ -27,19 +27,20 @@ int run(int argc, char** argv) {
   program.require_subcommand(1);
   program.set_version_flag("--version", "blysk " BLYSK_VERSION);
   program.footer("Exit status: 0 done, 1 a check failed or results differ, 2 bad use or bad input.");
-  blysk::cli::add_simulate(program);
+  int status = 0;
+  blysk::cli::add_simulate(program, status);
   blysk::cli::add_render(program);
   blysk::cli::add_model(program);
   blysk::cli::add_export(program);
   blysk::cli::add_list(program);
   blysk::cli::add_vectors(program);
-  int status = 0;
   blysk::cli::add_check(program, status);
   blysk::cli::add_explore(program, status);
+  blysk::cli::add_settle(program);
   // CLI11 would ask for a verb, but not say what was there instead.
   if (argc > 1 && argv[1][0] != '-' && !has_verb(program, argv[1])) {
     throw blysk::usage_error(fmt::format(
-        "'{}' is no verb, expected simulate, render, model, export, list, vectors, check or explore",
+        "'{}' is no verb, expected simulate, render, model, export, list, vectors, check, explore or settle",
         argv[1]));
   }
   try {

@@ -6,14 +6,15 @@
 
 namespace blysk::cli {
 
-void add_simulate(CLI::App& program);
 void add_model(CLI::App& program);
 void add_export(CLI::App& program);
 void add_list(CLI::App& program);
 void add_render(CLI::App& program);
+void add_settle(CLI::App& program);
 void add_vectors(CLI::App& program);
 
 /// \param status  becomes the program's exit status; outlives it
+void add_simulate(CLI::App& program, int& status);
 void add_check(CLI::App& program, int& status);
 void add_explore(CLI::App& program, int& status);
 

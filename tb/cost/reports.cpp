@@ -70,6 +70,25 @@ std::string serial_wrapper(const selection& asked, const std::string& name) {
       asked.top_name(), name, in - 1, out - 1, in - 2, out - 2, pins);
 }
 
+std::string split_wrapper(const selection& asked, const std::string& name) {
+  std::string ports, pins;
+  for (const port& each : asked.of().ports(asked)) {
+    if (each.is_inner) continue;
+    const int width = each.width();
+    ports +=
+        fmt::format("{}\n    {} wire {}{}", ports.empty() ? "" : ",", each.is_input() ? "input" : "output",
+                    width == 1 ? "" : fmt::format("[{}:0] ", width - 1), each.name);
+    for (int bit = 0; bit < width; ++bit) {
+      pins += pins.empty() ? "\n" : ",\n";
+      pins += width == 1 ? fmt::format("      .{0}({0})", each.name)
+                         : fmt::format("      .\\{0}[{1}] ({0}[{1}])", each.name, bit);
+    }
+  }
+  return fmt::format(
+      "// {0} with its ports whole.\nmodule {1} ({2}\n);\n  {0} device ({3}\n  );\nendmodule\n",
+      asked.top_name(), name, ports, pins);
+}
+
 ice40_cells read_ice40_cells(const std::string& path, const std::string& text) {
   constexpr std::int64_t kRamBits = 4096;
   const nlohmann::ordered_json report = parse_json(path, text);

@@ -13,6 +13,9 @@ namespace blysk::cost {
 /// \param asked  gives the top module's name and ports
 std::string serial_wrapper(const selection& asked, const std::string& name);
 
+/// A Verilog module `name` with the device's ports around a netlist whose ports were split into wires, "n_i[3]".
+std::string split_wrapper(const selection& asked, const std::string& name);
+
 /// Counts of a `stat -json` of Yosys after synth_ice40. `from` stays empty.
 /// \throws usage_error for a text that is none
 ice40_cells read_ice40_cells(const std::string& path, const std::string& text);

@@ -3,7 +3,8 @@
 // synthesis prepare FOLDER --device D ...: the device's Verilog, its wrapper and what depends on its names, for the tools.
 // synthesis collect FOLDER --device D ... --row FILE: the tools' reports into a row. Parts that have no report stay as the
 //   row had them.
-// synthesis path --device D ...: where the row stands below docs/tables.
+// synthesis delays FOLDER --device D ... --row FILE: the mapped netlist and its cells' delays into a file of delays.
+// synthesis path --device D ... [--kind delays]: where the row, or the delays, stand below docs/tables.
 // With --reference FILE: of the device written by hand in that Verilog instead of the export.
 #include <fmt/format.h>
 
@@ -12,6 +13,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "tb/cost/delays.h"
 #include "tb/cost/digest.h"
 #include "tb/cost/reports.h"
 #include "tb/device_arguments.h"
@@ -30,6 +32,11 @@ constexpr double kPeriodNs = 1000;  // longer than any path
 std::string first_line(const fs::path& path) {
   const std::string text = cost::read_text(path);
   return text.substr(0, text.find('\n'));
+}
+
+std::string clock_of(const selection& asked) {
+  const std::vector<port> ports = asked.of().ports(asked);
+  return ports.at(find_role(ports, port::role::clock)).name;
 }
 
 /// The device written by hand, with the name and the fraction bits of the export.
@@ -54,8 +61,7 @@ void prepare(const selection& asked, const std::string& reference, const fs::pat
   for (const auto& [name, text] : exported) {
     if (name.ends_with(".v")) cost::write_text(folder / name, text);
   }
-  std::string clock;
-  for (const port& each : of_role(asked.of().ports(asked), port::role::clock)) clock = each.name;
+  const std::string clock = clock_of(asked);
   cost::write_text(folder / "wrapper" / "bench.v", cost::serial_wrapper(asked, kWrapper));
   cost::write_text(folder / "top", asked.top_name() + "\n");
   cost::write_text(folder / "digest", cost::verilog_digest(exported) + "\n");
@@ -66,6 +72,16 @@ void prepare(const selection& asked, const std::string& reference, const fs::pat
                                                     "set_output_delay 0 -clock clk [all_outputs]\n"
                                                     "report_checks -path_delay max -digits 4\n",
                                                     asked.top_name(), kPeriodNs, clock));
+  cost::write_text(folder / "wrapper" / "mapped.v", cost::split_wrapper(asked, "mapped"));
+  cost::write_text(folder / "delays.tcl",
+                   fmt::format("read_liberty delays/cells.lib\n"
+                               "read_verilog delays/netlist.v\n"
+                               "link_design {}\n"
+                               "create_clock -name clk -period {} [get_ports {}]\n"
+                               "set_output_delay 0 -clock clk [all_outputs]\n"
+                               "report_checks -path_delay max -digits 4\n"
+                               "write_sdf -divider . -no_timestamp -digits 3 delays/cells.sdf\n",
+                               asked.top_name(), kPeriodNs, clock));
 }
 
 /// What a part of the folder says of its tools.
@@ -77,6 +93,27 @@ cost::origin origin_of(const fs::path& folder, const fs::path& part) {
     if (blank != std::string::npos) from.tools[line.substr(0, blank)] = line.substr(blank + 1);
   }
   return from;
+}
+
+void collect_delays(const selection& asked, const fs::path& folder, const std::string& path) {
+  const fs::path part = folder / "delays";
+  const cost::origin from = origin_of(folder, part);
+  device_delays delays{.device = asked.of().name(),
+                       .format = asked.format(),
+                       .options = cost::given_options(asked),
+                       .digest = from.digest,
+                       .tools = from.tools,
+                       .script = from.script,
+                       .path = {},
+                       .blocks = {}};
+  cost::measure({.netlist = part / "netlist.json",
+                 .sdf = part / "cells.sdf",
+                 .library = part / "cells.lib",
+                 .path = part / "path.txt"},
+                asked.top_name(), clock_of(asked), delays);
+  const std::string stored = cost::stored_text(cost::json_of(delays));
+  cost::parse_delays(path, stored);
+  cost::write_text(path, stored);
 }
 
 void collect(const selection& asked, const fs::path& folder, const std::string& path) {
@@ -123,8 +160,8 @@ void collect(const selection& asked, const fs::path& folder, const std::string& 
 
 int main(int argc, char** argv) {
   asked_device asked;
-  std::string folder, row, reference;
-  CLI::App *prepares = nullptr, *collects = nullptr;
+  std::string folder, row, reference, kind = "cost";
+  CLI::App *prepares = nullptr, *collects = nullptr, *delays = nullptr;
   return run_program(
       argc, argv, "Prepares a device for synthesis tools and collects their reports",
       [&](CLI::App& program) {
@@ -137,10 +174,13 @@ int main(int argc, char** argv) {
         };
         prepares = add("prepare", "write the device's Verilog and its wrapper");
         collects = add("collect", "make a row of the tools' reports");
-        add("path", "print where the row stands below docs/tables");
-        for (CLI::App* each : {prepares, collects})
+        delays = add("delays", "make a file of delays of the mapped netlist");
+        add("path", "print where the row stands below docs/tables")
+            ->add_option("--kind", kind, "cost or delays")
+            ->check(CLI::IsMember({"cost", "delays"}));
+        for (CLI::App* each : {prepares, collects, delays})
           each->add_option("FOLDER", folder, "of the tools")->required();
-        collects->add_option("--row", row, "file to write")->required();
+        for (CLI::App* each : {collects, delays}) each->add_option("--row", row, "file to write")->required();
       },
       [&] {
         const selection chosen = asked.choose();
@@ -148,8 +188,10 @@ int main(int argc, char** argv) {
           prepare(chosen, reference, folder);
         } else if (collects->parsed()) {
           collect(chosen, folder, row);
+        } else if (delays->parsed()) {
+          collect_delays(chosen, folder, row);
         } else {
-          fmt::print("{}\n", cost::row_path(reference.empty() ? "cost" : "reference", chosen));
+          fmt::print("{}\n", cost::row_path(reference.empty() ? kind : "reference", chosen));
         }
         return 0;
       });

@@ -5,9 +5,10 @@
 #include <stdexcept>
 #include <string>
 #include <systemc>
+#include <utility>
 #include <vector>
 
-#include "tb/harness/systemc_engine.h"
+#include "tb/engine.h"
 
 namespace blysk::harness {
 namespace {
@@ -19,8 +20,9 @@ class strobe_host final : public sc_core::sc_module, public host {
  public:
   using SC_CURRENT_USER_MODULE = strobe_host;
 
-  strobe_host(const sc_core::sc_module_name& name, const netlist::elaborated& device)
-      : sc_core::sc_module(name) {
+  strobe_host(const sc_core::sc_module_name& name, const netlist::elaborated& device, double clock_period_ns,
+              row_watcher watcher)
+      : sc_core::sc_module(name), period_(clock_period_ns, sc_core::SC_NS), watcher_(std::move(watcher)) {
     for (const auto& each : device.ports()) {
       switch (each->what.is) {
         case port::role::clock:
@@ -87,7 +89,7 @@ class strobe_host final : public sc_core::sc_module, public host {
   };
 
   void start(std::uint64_t cycles) {
-    sc_core::sc_start(sc_core::sc_time(kClockPeriodNs, sc_core::SC_NS) * static_cast<double>(cycles));
+    sc_core::sc_start(period_ * static_cast<double>(cycles));
     cycles_ += cycles;
   }
 
@@ -133,7 +135,11 @@ class strobe_host final : public sc_core::sc_module, public host {
   void capture() {
     if (next_ == 0) return;  // what this edge confirms belongs to the previous run
     for (std::size_t i = 0; i < results_.size(); ++i) (*out_)[i].set(next_ - 1, results_[i]->read());
+    if (watcher_) watcher_(next_ - 1);
   }
+
+  sc_core::sc_time period_;
+  row_watcher watcher_;
 
   bound_port* clk_ = nullptr;
   bound_port* rst_n_ = nullptr;
@@ -154,8 +160,9 @@ class handshake_host final : public sc_core::sc_module, public host {
  public:
   using SC_CURRENT_USER_MODULE = handshake_host;
 
-  handshake_host(const sc_core::sc_module_name& name, const netlist::elaborated& device)
-      : sc_core::sc_module(name) {
+  handshake_host(const sc_core::sc_module_name& name, const netlist::elaborated& device,
+                 double clock_period_ns)
+      : sc_core::sc_module(name), period_(clock_period_ns, sc_core::SC_NS) {
     for (const auto& each : device.ports()) {
       const port::role role = each->what.is;
       if (role == port::role::clock) clk_ = each.get();
@@ -172,7 +179,7 @@ class handshake_host final : public sc_core::sc_module, public host {
   }
 
   void run(const columns& in, columns& out) override {
-    if (cycles_ == 0) sc_core::sc_start(period() * static_cast<double>(kResetCycles));
+    if (cycles_ == 0) sc_core::sc_start(period_ * static_cast<double>(kResetCycles));
     rst_n_->write(1);
     in_ = &in;
     out_ = &out;
@@ -191,8 +198,6 @@ class handshake_host final : public sc_core::sc_module, public host {
   std::uint64_t writes() const override { return writes_; }
 
  private:
-  static sc_core::sc_time period() { return {kClockPeriodNs, sc_core::SC_NS}; }
-
   void step() {
     ++cycles_;
     if (in_ == nullptr) return;
@@ -220,6 +225,7 @@ class handshake_host final : public sc_core::sc_module, public host {
     waited_ = 0;
   }
 
+  sc_core::sc_time period_;
   bound_port* clk_ = nullptr;
   bound_port* rst_n_ = nullptr;
   bound_port* start_ = nullptr;
@@ -239,14 +245,15 @@ class handshake_host final : public sc_core::sc_module, public host {
 
 }  // namespace
 
-std::unique_ptr<host> make_host(const netlist::elaborated& device) {
+std::unique_ptr<host> make_host(const netlist::elaborated& device, double clock_period_ns,
+                                row_watcher watcher) {
   std::vector<port> ports;
   for (const auto& each : device.ports()) ports.push_back(each->what);
   switch (protocol_of(ports)) {
     case protocol::strobes:
-      return std::make_unique<strobe_host>("host", device);
+      return std::make_unique<strobe_host>("host", device, clock_period_ns, std::move(watcher));
     case protocol::handshake:
-      return std::make_unique<handshake_host>("host", device);
+      return std::make_unique<handshake_host>("host", device, clock_period_ns);
     case protocol::none:
       break;
   }

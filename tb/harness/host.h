@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 
 #include "tb/columns.h"
@@ -22,8 +23,13 @@ class host {
       const = 0;  ///< rows taken; with strobes also what confirms the last row of a run
 };
 
+/// Called when a row of the results has been read, with its number in the run.
+using row_watcher = std::function<void(std::size_t)>;
+
 /// A host for the device's protocol, as a SystemC module of its own. Before simulation starts.
+/// \param clock_period_ns  of the device's clock
 /// \throws std::logic_error for a device without a protocol
-std::unique_ptr<host> make_host(const netlist::elaborated& device);
+std::unique_ptr<host> make_host(const netlist::elaborated& device, double clock_period_ns,
+                                row_watcher watcher = {});
 
 }  // namespace blysk::harness

@@ -2,9 +2,12 @@
 /// A device in SystemC under its strobes, as an engine.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <string>
+#include <vector>
 
+#include "tb/delays.h"
 #include "tb/device.h"
 #include "tb/engine.h"
 
@@ -20,14 +23,47 @@ inline constexpr double kClockPeriodNs = 10;
 /// SystemC elaborates once: a process makes one engine and makes it before it runs any.
 /// SystemC does not say when a disk is full: the end of the record is looked for in its file.
 class systemc_engine : public recorded_engine {
+ public:
+  /// Waves have each delta cycle 1 ps after the one before it. Before trace().
+  void record_deltas() { has_deltas_ = true; }
+
  protected:
   using recorded_engine::recorded_engine;
+
+  bool has_deltas() const { return has_deltas_; }
+
+ private:
+  bool has_deltas_ = false;
+};
+
+/// When a row of the results was read, and how its write settled, ps.
+struct write_timing {
+  std::uint64_t read_at;  ///< the leading edge of the valid port, since the start
+
+  /// From the clock edge before the valid port's leading edge to the last change of an output, and until none could change
+  /// any more. A gap shorter than that is what the strobe cuts off: what comes later is not in it.
+  std::uint64_t settled_after, busy_for;
+};
+
+/// A device in SystemC whose blocks take the time that was measured.
+class timed_engine : public systemc_engine {
+ public:
+  /// Of the rows of the last run.
+  virtual const std::vector<write_timing>& timings() const = 0;
+
+ protected:
+  using systemc_engine::systemc_engine;
 };
 
 /// Whether a VCD file, timescale 1 ps, ends as a whole line not longer than a clock period before `now_ps`.
-bool ends_at(const std::string& vcd, double now_ps);
+bool ends_at(const std::string& vcd, double now_ps, double clock_period_ns = kClockPeriodNs);
 
 /// \throws std::logic_error for a device without a strobe that writes by its trailing edge and a valid port
 std::unique_ptr<systemc_engine> make_systemc(const selection& asked);
+
+/// \param period_ns  of the clock, an even number of ps; a strobe comes half of it after the clock edge that loads the
+///                   registers
+/// \throws std::invalid_argument for a device without strobes, or whose nets take no delays
+std::unique_ptr<timed_engine> make_timed(const selection& asked, device_delays delays, double period_ns);
 
 }  // namespace blysk::harness

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "tb/netlist/block.h"
+#include "tb/netlist/wire.h"
 #include "tb/port.h"
 
 namespace blysk::netlist {
@@ -59,6 +60,9 @@ class bound_port {
   /// \throws std::logic_error for a net inside the device and a clock that runs by itself
   virtual void write(std::int64_t value) = 0;
   virtual void trace(sc_core::sc_trace_file* file, const std::string& name) const = 0;
+
+  /// The wire, or null for a plain signal.
+  virtual const any_wire* wire() const = 0;
 
   /// The signal of a port that carries one bit and no number; its events wake a test bench.
   /// \throws std::logic_error for any other port
@@ -126,6 +130,7 @@ class bound_signal final : public bound_port {
   void trace(sc_core::sc_trace_file* file, const std::string& name) const override {
     sc_core::sc_trace(file, signal_, name);
   }
+  const any_wire* wire() const override { return dynamic_cast<const any_wire*>(&signal_); }
   const sc_core::sc_signal<bool>& control() const override {
     if constexpr (std::is_same_v<T, bool>) {
       return signal_;
@@ -208,7 +213,7 @@ class elaborated::binder {
 
   template <class T>
   static std::unique_ptr<sc_core::sc_signal<T>> make_signal() {
-    return std::make_unique<sc_core::sc_signal<T>>(sc_core::sc_gen_unique_name("pin"));
+    return std::make_unique<netlist::wire<T>>(sc_core::sc_gen_unique_name("pin"));
   }
 
   template <class Member, class Signal>

@@ -63,7 +63,7 @@ struct cosine_quadratic_path : specular_device<Formats, thesis_figure> {
   net<typename Formats::line> SC_NAMED(line);
   net<typename Formats::rounded> SC_NAMED(line_rounded);
   net<typename Formats::square> SC_NAMED(square);
-  sc_core::sc_signal<bool> SC_NAMED(beyond_root);
+  typename channel_of<Formats, bool>::type SC_NAMED(beyond_root);
 
   explicit cosine_quadratic_path(const sc_core::sc_module_name& name)
       : base(name), ones6("ones6", -1), ground("ground", 0), carry29("carry29", 1), rom33("rom33", 0) {

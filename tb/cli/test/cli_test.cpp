@@ -697,7 +697,8 @@ TEST_CASE("what cannot be brought to its end is refused, and nothing is left of 
             quoted(folder.path("w.vcd")),
         "engine verilator has no waves of device " + kDevice + " in format q10, expected q8, q12, q16, q24");
   fails("shine",
-        "'shine' is no verb, expected simulate, render, model, export, list, vectors, check or explore");
+        "'shine' is no verb, expected simulate, render, model, export, list, vectors, check, explore or "
+        "settle");
   fails("settle --help", "'settle' is no verb");
   CHECK(slurp(stimulus) == slurp(BLYSK_ROOT "/docs/examples/fig3.csv"));
 }

@@ -108,8 +108,19 @@ grep -qF '"lut": 7' "$by_hand" || fail "no row of the device written by hand"
 [ "$(grep -o '"digest": "[^"]*"' "$by_hand" | sort -u | wc -l)" = 1 ] || fail "digests differ"
 [ "$(grep -o -m 1 '"digest": "[^"]*"' "$by_hand")" != "$(grep -o -m 1 '"digest": "[^"]*"' "$row")" ] || fail "the export was measured"
 
+# Delays without a tool: nothing is written.
+rm "$folder/tools/sta"
+status=0
+"$tree/scripts/synth" --delays "$device" q8 2>"$folder/error" || status=$?
+cat "$folder/error"
+if [ "$status" != 1 ] || ! grep -q 'delays skipped, sta is not there .*; nothing is written$' "$folder/error"; then
+  fail "delays without sta: status $status"
+fi
+[ ! -e "$folder/rows/$identifier/delays_q8.json" ] || fail "delays without sta were written"
+
 # Bad use.
-for words in "$device q9" "nothing q8" "$device q8 --nothing" "$device q8 -x" "--reference"; do
+stub sta <<<"$good_sta"
+for words in --delays "--delays --nothing" "$device q9" "nothing q8" "$device q8 --nothing" "$device q8 -x" "--reference"; do
   status=0
   # shellcheck disable=SC2086  # a word each
   "$tree/scripts/synth" $words 2>"$folder/error" || status=$?

@@ -12,14 +12,16 @@ namespace blysk::cosine_quadratic_device {
 
 template <class Q>
 std::vector<port> ports(const selection& asked) {
-  return with_formats<Q>(asked, []<class Formats>() { return ports_of<cosine_quadratic<Formats>>(); });
+  return with_formats<Q>(
+      asked, []<class Formats>() { return ports_of<cosine_quadratic<netlist::on_wires<Formats>>>(); });
 }
 
 template <class Q>
 std::unique_ptr<netlist::elaborated> elaborate(const selection& asked, double clock_period_ns) {
   return with_formats<Q>(asked, [&]<class Formats>() {
     return std::make_unique<netlist::elaborated>(
-        std::make_unique<cosine_quadratic<Formats>>("cosine_quadratic", factor_of(asked)), clock_period_ns);
+        std::make_unique<cosine_quadratic<netlist::on_wires<Formats>>>("cosine_quadratic", factor_of(asked)),
+        clock_period_ns);
   });
 }
 

@@ -14,8 +14,10 @@ namespace blysk::quadratic_device {
 template <class Q, class Use>
 auto with_type(const selection& asked, Use use) {
   return asked.flag("as-published")
-             ? use.template operator()<quadratic<quadratic_formats<Q, negative_lobe::as_published>>>()
-             : use.template operator()<quadratic<quadratic_formats<Q, negative_lobe::clamped>>>();
+             ? use.template
+               operator()<quadratic<netlist::on_wires<quadratic_formats<Q, negative_lobe::as_published>>>>()
+             : use.template
+               operator()<quadratic<netlist::on_wires<quadratic_formats<Q, negative_lobe::clamped>>>>();
 }
 
 template <class Q>

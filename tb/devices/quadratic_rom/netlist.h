@@ -14,7 +14,7 @@ namespace blysk::quadratic_rom_device {
 template <class Q, class Use>
 auto with_type(const selection& asked, Use use) {
   const auto with_lobe = [&]<negative_lobe Lobe>() {
-    using formats = quadratic_rom_formats<Q, Lobe>;
+    using formats = netlist::on_wires<quadratic_rom_formats<Q, Lobe>>;
     return asked.value("rom") == "clocked"
                ? use.template operator()<quadratic_rom<formats, rom_kind::clocked>>()
                : use.template operator()<quadratic_rom<formats, rom_kind::logic>>();
