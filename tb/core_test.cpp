@@ -125,7 +125,7 @@ struct toy {
   static void pins(Reader& reader) {
     reader.clock(&toy::clk, {"clk", "", "clk", "clock"});
     reader.result(&toy::b, {"b_o", "7", "out7", "a product"}, sq<3, 30>{}, "product");
-    reader.data(&toy::a, {"a_i", "3", "in3", "an angle"}, uq<2, 3>{}, "angle");
+    reader.data(&toy::a, {"a_i", "3", "in3", "an angle"}, uq<2, 3>{}, "turn");
     reader.strobe(&toy::we, {"a_we_i", "4", "we4", "write"}, "a_i", write_edge::trailing);
     reader.data(&toy::level, {"level_i", "", "level", "a level"}, unit<8>{}, "level");
     reader.control(&toy::mode, {"mode_i", "", "mode", "a mode"});
@@ -154,7 +154,7 @@ TEST_CASE("pins become ports in their order", "[port]") {
   CHECK(ports[3].width() == 1);
   CHECK(ports[3].writes == "a_i");
   CHECK(ports[3].edge == write_edge::trailing);
-  CHECK(column_names(ports, role::data) == "angle,level");
+  CHECK(column_names(ports, role::data) == "turn,level");
   CHECK(column_names(ports, role::result) == "product,sum");
   CHECK(column_names(ports, role::reset).empty());
   CHECK(find_role(ports, role::data) == 2);
