@@ -489,7 +489,7 @@ TEST_CASE("list names what there is, for people and for programs", "[cli]") {
   CHECK(run_blysk(folder, "simulate --help")
             .out.find("derived, published; engine golden also exact (of " + kDevice + ")") !=
         std::string::npos);
-  for (const char* engine : {"golden", "bit", "systemc", "verilator"}) {
+  for (const char* engine : {"golden", "bit", "systemc", "verilator", "timed"}) {
     CHECK(std::count(json["engines"].begin(), json["engines"].end(), engine) == 1);
   }
 }
@@ -699,7 +699,7 @@ TEST_CASE("what cannot be brought to its end is refused, and nothing is left of 
   fails("shine",
         "'shine' is no verb, expected simulate, render, model, export, list, vectors, check, explore or "
         "settle");
-  fails("settle --help", "'settle' is no verb");
+  fails("compare --help", "'compare' is no verb");
   CHECK(slurp(stimulus) == slurp(BLYSK_ROOT "/docs/examples/fig3.csv"));
 }
 
