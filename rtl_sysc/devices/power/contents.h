@@ -61,20 +61,21 @@ constexpr std::array<std::uint64_t, (std::size_t(1) << Bits) + 1> powers_of_half
 
 /// A line for each of 2^SegmentBits segments of a falling curve, of which the values at the segments' ends and middles are
 /// given: begins, and changes (negative), each rounded to nearest.
-/// \tparam SegmentBits  logarithm of their number
-/// \param value_bits    fraction bits of the values
-/// \param word_bits     of the words
-/// \param half_unit     fraction bits of a number whose half is added to the begins: cut to them, the lines are rounded
-template <int SegmentBits, class Value>
-constexpr std::array<std::array<std::int64_t, (std::size_t(1) << SegmentBits)>, 2> lines(Value value,
-                                                                                         int value_bits,
-                                                                                         int word_bits,
-                                                                                         int half_unit) {
-  std::array<std::array<std::int64_t, (std::size_t(1) << SegmentBits)>, 2> all{};
-  for (std::size_t i = 0; i < all[0].size(); ++i) {
-    const rom_wide first = value(2 * i);
-    const rom_wide middle = value(2 * i + 1);
-    const rom_wide last = value(2 * i + 2);
+/// \tparam SegmentBits   logarithm of their number
+/// \tparam BeginsAtLast  the values stand in reverse
+/// \param value_bits     fraction bits of the values
+/// \param word_bits      of the words
+/// \param half_unit      fraction bits of a number whose half is added to the begins: cut to them, the lines are rounded
+template <int SegmentBits, bool BeginsAtLast, std::size_t Nodes>
+constexpr auto lines(const std::array<std::uint64_t, Nodes>& values, int value_bits, int word_bits,
+                     int half_unit) {
+  constexpr std::size_t count = std::size_t(1) << SegmentBits;
+  static_assert(Nodes == 2 * count + 1);
+  std::array<std::array<std::int64_t, count>, 2> all{};
+  for (std::size_t i = 0; i < count; ++i) {
+    const rom_wide first = values[BeginsAtLast ? 2 * (count - i) : 2 * i];
+    const rom_wide middle = values[BeginsAtLast ? 2 * (count - i) - 1 : 2 * i + 1];
+    const rom_wide last = values[BeginsAtLast ? 2 * (count - i) - 2 : 2 * i + 2];
     // first - ((first + last)/2 - middle)/2, times 4
     const rom_wide begin =
         4 * first - (first + last - 2 * middle) + (rom_wide(4) << (value_bits - half_unit - 1));
@@ -88,24 +89,17 @@ constexpr std::array<std::array<std::int64_t, (std::size_t(1) << SegmentBits)>, 
 /// Lines of (1 - log2(1 + f))/(1 - f) over f in [0, 1): [0] begins, [1] changes.
 template <int SegmentBits, int WordBits, int CutBits>
 struct log_ratio_words {
-  static constexpr auto make() {
-    const auto ratios = log_ratios<SegmentBits + 1>();
-    // The table goes by 1 - f.
-    return lines<SegmentBits>([&](std::size_t node) { return ratios[ratios.size() - 1 - node]; }, 62,
-                              WordBits, CutBits);
-  }
-  static constexpr auto words = make();
+  // The table goes by 1 - f.
+  static constexpr auto words =
+      lines<SegmentBits, true>(log_ratios<SegmentBits + 1>(), 62, WordBits, CutBits);
 };
 
 /// Lines of 2^-x over x in [0, 1), where the number cut to x lies half a unit of 2^-PlaceBits above it: [0] begins, [1]
 /// changes.
 template <int SegmentBits, int WordBits, int CutBits, int PlaceBits>
 struct power_words {
-  static constexpr auto make() {
-    const auto powers = powers_of_half<SegmentBits + 1>(PlaceBits + 1);
-    return lines<SegmentBits>([&](std::size_t node) { return powers[node]; }, 59, WordBits, CutBits);
-  }
-  static constexpr auto words = make();
+  static constexpr auto words =
+      lines<SegmentBits, false>(powers_of_half<SegmentBits + 1>(PlaceBits + 1), 59, WordBits, CutBits);
 };
 
 }  // namespace blysk

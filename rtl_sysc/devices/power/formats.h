@@ -57,30 +57,35 @@ struct interpolation {
 
   /// No line overflows: the laws at the ends of each. None rises.
   static constexpr bool no_overflow() {
-    constexpr auto begins = ends([](std::int64_t i, bool) { return rom_begin::law(0, i); });
-    constexpr auto changes = ends([](std::int64_t i, bool) { return rom_change::law(1, i); });
-    constexpr auto products =
-        ends([](std::int64_t i, bool last) { return product_at(i, last ? place::max : 0); });
-    constexpr auto values = ends([](std::int64_t i, bool last) { return line_at(i, last ? place::max : 0); });
-    static_assert(fits<begin>(begins[0], begins[1]));
-    static_assert(fits<change>(changes[0], changes[1]) && changes[1] <= 0);
-    static_assert(fits<product>(products[0], products[1]));
-    static_assert(fits<line>(values[0], values[1]));
+    static_assert(fits<begin>(smallest<item::begin>(), -smallest<item::begin, -1>()));
+    static_assert(fits<change>(smallest<item::change>(), -smallest<item::change, -1>()));
+    static_assert(smallest<item::change, -1>() >= 0);
+    static_assert(fits<product>(smallest<item::product>(), -smallest<item::product, -1>()));
+    static_assert(fits<line>(smallest<item::line>(), -smallest<item::line, -1>()));
     static_assert(fits<value>(0, largest()));
     return true;
   }
 
  private:
-  /// The smallest and the largest of what all segments have at their ends.
-  template <class At>
-  static constexpr std::array<std::int64_t, 2> ends(At at) {
-    std::array<std::int64_t, 2> found{at(0, false), at(0, false)};
+  enum class item { begin, change, product, line };
+
+  template <item What>
+  static constexpr std::int64_t item_at(std::int64_t segment, std::int64_t at) {
+    if constexpr (What == item::begin) return rom_begin::law(0, segment);
+    if constexpr (What == item::change) return rom_change::law(1, segment);
+    if constexpr (What == item::product) return product_at(segment, at);
+    if constexpr (What == item::line) return line_at(segment, at);
+  }
+
+  /// The smallest of what all segments have at their ends, times the sign.
+  template <item What, int Sign = 1>
+  static constexpr std::int64_t smallest() {
+    std::int64_t found = Sign * item_at<What>(0, 0);
     for (std::int64_t i = 0; i <= index::max; ++i) {
-      for (const bool last : {false, true}) {
-        const std::int64_t tried = at(i, last);
-        if (tried < found[0]) found[0] = tried;
-        if (found[1] < tried) found[1] = tried;
-      }
+      const std::int64_t first = Sign * item_at<What>(i, 0);
+      const std::int64_t last = Sign * item_at<What>(i, place::max);
+      if (first < found) found = first;
+      if (last < found) found = last;
     }
     return found;
   }
