@@ -69,7 +69,7 @@ reported tb/inputs.cpp '  SC_HAS''_PROCESS(x);'
 reported tb/inputs.cpp '  use([&, size'' = size] { return size; });'
 reported tb/inputs.cpp 'int main(int argc, char** argv) { return run(argc, argv); }'
 ignored tb/inputs.cpp "  // such as $device"
-word=power # of mathematics, and a device
+word=pow''er # of mathematics, and a device
 reported tb/inputs.cpp "  return choose(\"$word\", \"q8\");"
 reported tb/inputs.cpp "#include \"tb/devices/$word/kernel.h\""
 ignored tb/inputs.cpp "  const double $word = ${word}_of(x);"
