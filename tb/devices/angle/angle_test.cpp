@@ -150,7 +150,7 @@ TEST_CASE("an exponent up to k is cos^n itself", "[angle]") {
   }
 }
 
-TEST_CASE("the reflectance is 0 beyond the end of the lobe, at any distance", "[angle][stability]") {
+TEST_CASE("the reflectance is 0 beyond the end of the lobe, at any distance", "[angle]") {
   for (const char* format : {"q8", "q16", "q24"}) {
     const selection asked = choose("angle", format);
     const double address = std::ldexp(1, -angle_formats<q8>::address_bits);
@@ -166,7 +166,7 @@ TEST_CASE("the reflectance is 0 beyond the end of the lobe, at any distance", "[
   }
 }
 
-TEST_CASE("the axis reflects all, whatever the exponent", "[angle][stability]") {
+TEST_CASE("the axis reflects all, whatever the exponent", "[angle]") {
   const selection asked = choose("angle", "q12");
   for (int n = 1; n <= 1000; ++n) {
     const columns out = drawn(asked, {n, 255, 0, 0, 1});
@@ -175,7 +175,7 @@ TEST_CASE("the axis reflects all, whatever the exponent", "[angle][stability]") 
   }
 }
 
-TEST_CASE("a line through the axis is the same on both sides", "[angle][stability]") {
+TEST_CASE("a line through the axis is the same on both sides", "[angle]") {
   const selection asked = choose("angle", "q12");
   for (const int n : {1, 10, 1000}) {
     const columns out = drawn(asked, {n, 200, 0.25, -0.0078125, 65});  // 32 steps down to the axis, 32 beyond

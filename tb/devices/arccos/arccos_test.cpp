@@ -71,7 +71,7 @@ TEST_CASE("every angle is less than an ulp from the arc cosine", "[arccos]") {
   }
 }
 
-TEST_CASE("named angles", "[arccos][stability]") {
+TEST_CASE("named angles", "[arccos]") {
   const selection asked = choose("arccos", "q12");
   const columns angles = all_angles(asked);
   CHECK(angles[0].get(4096) == 0);

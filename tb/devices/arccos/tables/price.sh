@@ -21,13 +21,13 @@ median() {
     sort -n | awk '{ of[NR] = $1 } END { if (NR == 0) exit 1; print of[int((NR + 1) / 2)] }'
 }
 
-text=device,format,cycles,lut,carry,ff,fmax_mhz,area_nand2,path_ns
+text=device,format,cycles,lut,carry,ff,ram_bits,fmax_mhz,area_nand2,path_ns
 for each in quadratic:2 angle:3 arccos:15; do
   device=${each%:*}
   row=$rows/$device/cost_q8.json
   [ -f "$row" ] || { echo "$row is not there, expected what scripts/synth $device q8 writes" >&2 && exit 2; }
   line=$device,q8,${each#*:}
-  for key in lut carry ff; do line+=,$(value "$row" ice40 $key); done
+  for key in lut carry ff ram_bits; do line+=,$(value "$row" ice40 $key); done
   line+=,$(median "$row")
   for key in area_nand2 path_ns; do line+=,$(value "$row" osu018 $key); done
   text+=$'\n'$line
