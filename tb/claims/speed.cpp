@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -38,6 +39,16 @@ double recorded_price(std::string_view device, std::string_view column) {
   }
   throw std::runtime_error("no " + std::string(column) + " of " + std::string(device) +
                            " in " BLYSK_PRICE_CSV);
+}
+
+double recorded_cost(const std::string& device, const char* part, const char* key) {
+  const std::string path = BLYSK_TABLES "/" + device + "/cost_q8.json";
+  std::ifstream file(path);
+  try {
+    return nlohmann::json::parse(file).at(part).at(key).get<double>();
+  } catch (const nlohmann::json::exception&) {
+    throw std::runtime_error("no " + std::string(part) + "." + key + " in " + path);
+  }
 }
 
 }  // namespace blysk::claims

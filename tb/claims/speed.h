@@ -3,6 +3,7 @@
 /// synthesis tools measured of devices.
 #pragma once
 
+#include <string>
 #include <string_view>
 
 namespace blysk::claims {
@@ -17,5 +18,11 @@ double recorded_speed(std::string_view name);
 /// \param column  such as "path_ns"
 /// \throws std::runtime_error if there is no such row or column
 double recorded_price(std::string_view device, std::string_view column);
+
+/// A measured figure of docs/tables/<device>/cost_q8.json.
+/// \param part  such as "osu018"
+/// \param key   such as "area_nand2"
+/// \throws std::runtime_error if there is no such file, part or key
+double recorded_cost(const std::string& device, const char* part, const char* key);
 
 }  // namespace blysk::claims

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 #include <string>
+#include <utility>
 
 #include "tb/claims/measure/over_exponents.h"
 #include "tb/claims/speed.h"
@@ -54,6 +55,23 @@ figures times_of_angle() {
   return result;
 }
 
+/// The prototype's cost over that of UA 60553.
+figures costs_of_memory() {
+  const auto of = [](const char* device) {
+    return std::pair(recorded_cost(device, "osu018", "area_nand2"), recorded_cost(device, "ice40", "lut"));
+  };
+  const auto [area, luts] = of("quadratic");
+  const auto [memory_area, memory_luts] = of("quadratic_rom");
+  const double blocks = recorded_cost("quadratic_rom", "ice40", "ram_bits") / 4096;
+  return {{"area", area},
+          {"memory_area", memory_area},
+          {"larger", memory_area / area},
+          {"luts", luts},
+          {"memory_luts", memory_luts},
+          {"blocks", blocks},
+          {"more_luts", memory_luts / luts}};
+}
+
 }  // namespace
 
 void measure_patent(measurements& into) {
@@ -82,6 +100,7 @@ void measure_patent(measurements& into) {
   };
   into["P4"] = distance_of_lines;
   into["P5"] = errors_of_lines;
+  into["P7"] = costs_of_memory;
   into["P8"] = times_of_angle;
   into["P6"] = [] {
     const double words = std::exp2(std::ceil(std::log2(kMaxExponent)));
