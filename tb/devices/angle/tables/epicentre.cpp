@@ -105,7 +105,7 @@ std::string epicentre() {
 std::string all_angles() {
   std::string text = "| n | [A]'s function | q8 | q12 | q16 | q24 |\n|---|---|---|---|---|---|\n";
   constexpr double kRoundoff = 1e-12;  // of the formula where it is cos^n itself
-  constexpr double kLast = 1.5707;  // 90 degrees, but for what codes may round to
+  constexpr double kLast = 1.5707;     // 90 degrees, but for what codes may round to
   for (const int n : kExponents) {
     const double k = std::min(5, n);
     const double end = std::min(kLast, 1.05 * golden::angle_limit<double>(n, k, 0.5));
