@@ -19,7 +19,7 @@ case $case in
     quietly cmake -S "$folder/outside" -B "$folder/made" -G Ninja -DCMAKE_PREFIX_PATH="$folder/place"
     ;;
   subdirectory)
-    sed -i 's,^find_package(blysk.*,find_package(SystemCLanguage REQUIRED HINTS $ENV{SYSTEMC_HOME})\nadd_subdirectory('"$source"' blysk),' \
+    sed -i 's,^find_package(blysk.*,find_package(SystemCLanguage REQUIRED HINTS $ENV{SYSTEMC_HOME})\nadd_subdirectory("'"$source"'" blysk),' \
       "$folder/outside/CMakeLists.txt"
     disabled=()
     for package in Catch2 rapidcheck verilator CLI11 fmt nlohmann_json PNG benchmark; do
