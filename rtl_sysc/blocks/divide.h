@@ -9,7 +9,7 @@ namespace blysk {
 /// Divider: q_o = a_i / b_i, rounded down, for a_i <= b_i: a row of subtractors, one for each bit of the quotient, each of
 /// which keeps its difference if that is not negative.
 ///
-/// Instances  div of schlick.
+/// Instances  div of Schlick's lobe.
 /// Formats    a_i: A, b_i: B, unsigned with the same fraction bits; q_o: UQ1.f. A division by 0 gives all ones.
 /// Timing     combinational.   Error  below 1 ulp of q_o, downwards.
 template <class A, class B, class Q>

@@ -8,7 +8,7 @@ namespace blysk {
 
 /// OR gate: y_o = one, if b_i or any bit of a_i is.
 ///
-/// Instances  off of power.
+/// Instances  off of the path by a logarithm.
 /// Formats    a_i: A, b_i and y_o: one bit.
 /// Timing     combinational.   Error  none.
 template <class A>

@@ -8,7 +8,7 @@ namespace blysk {
 
 /// Some of the wires of a number: y_o = the Y::width bits of a_i from bit Low on.
 ///
-/// Instances  what cuts numbers and takes addresses from them in power.
+/// Instances  what cuts numbers and takes addresses from them in the path by a logarithm.
 /// Formats    a_i: A unsigned, y_o: Y unsigned, Low + Y::width <= A::width.
 /// Timing     none.   Error  none; as a cut, what lies below bit Low is lost.
 template <class A, class Y, int Low>

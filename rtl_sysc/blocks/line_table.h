@@ -9,7 +9,7 @@ namespace blysk {
 /// A function from a table by straight lines: y_o = value[i] + slope[i] rest, i the upper bits of a_i, rest the others as a
 /// fraction of the distance between two values.
 ///
-/// Instances  line of `arccos`.
+/// Instances  line of the arc cosine.
 /// Formats    a_i: unit<Frac>, y_o: Y.
 /// \tparam Contents  has static constexpr arrays of std::int64_t with 2^Contents::segment_bits + 1 raw words each: `values`,
 ///                   and `slopes`, from each value to the next, the last one 0

@@ -8,7 +8,7 @@ namespace blysk {
 
 /// Takes the sign away: y_o = |a_i|.
 ///
-/// Instances  mag4 of `angle`: a lobe is the same on both sides of its axis.
+/// Instances  mag4 of UA 71489: a lobe is the same on both sides of its axis.
 /// Formats    a_i: A signed, y_o: Y unsigned with as many fraction bits; the device asserts that |a_i| fits Y.
 /// Timing     combinational.   Error  none.
 template <class A, class Y>

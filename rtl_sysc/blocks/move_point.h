@@ -7,7 +7,7 @@ namespace blysk {
 
 /// The same wires with another binary point: y_o = a_i 2^(A::frac - Y::frac), a division by a power of two.
 ///
-/// Instances  part_n of lyon.
+/// Instances  part_n of Lyon's lobe.
 /// Formats    a_i: A, y_o: Y, of the same width and sign.
 /// Timing     none.   Error  none.
 template <class A, class Y>

@@ -9,7 +9,7 @@ namespace blysk {
 /// Leading-zero counter and shifter: a_i = m_o 2^(-zeros_o - 1) with m_o in [1, 2]; 1 becomes m_o = 2 and zeros_o = 0.
 /// For a_i = 0: zero_o is one, m_o = 1 and zeros_o has all ones.
 ///
-/// Instances  norm of power.
+/// Instances  norm of the path by a logarithm.
 /// Formats    a_i: UQ1.F, codes 0..2^F; m_o: UQ2.(F-1); zeros_o: Count, UQb.0 with 2^b >= F > 2^(b-1).
 /// Timing     combinational.   Error  none.
 template <int F, class Count>

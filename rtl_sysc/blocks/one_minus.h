@@ -8,7 +8,7 @@ namespace blysk {
 
 /// y_o = 1 - a_i.
 ///
-/// Instances  sub of `arccos`.
+/// Instances  sub of the arc cosine.
 /// Formats    a_i, y_o: unit<Frac>; codes of a_i above 1 are not legal.
 /// Timing     combinational.   Error  none.
 template <int Frac>

@@ -8,7 +8,7 @@ namespace blysk {
 
 /// Barrel shifter: y_o = a_i 2^(-places_i), what falls below the last place is lost.
 ///
-/// Instances  shift of power.
+/// Instances  shift of the path by a logarithm.
 /// Formats    a_i, y_o: A unsigned; places_i: Places, an unsigned integer.
 /// Timing     combinational.   Error  below 1 ulp, downwards.
 template <class A, class Places>

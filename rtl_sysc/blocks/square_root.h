@@ -10,7 +10,7 @@ namespace blysk {
 /// Square root, a digit with each step, as it is done by hand: the next two bits of the radicand come to the remainder, and
 /// the next digit is one if the root with a one behind it can be taken off.
 ///
-/// Instances  root of `arccos`.
+/// Instances  root of the arc cosine.
 /// Formats    d_i: unit<Frac>, Frac even; root_o: UQ1.RootFrac, 2 RootFrac >= Frac.
 /// Timing     at a rising edge of clk: while load_i is one it takes d_i; else, while step_i is one, it finds a digit. After
 ///            RootFrac + 1 steps root_o is the root, rounded down.
