@@ -34,7 +34,7 @@ class verilator_engine : public recorded_engine {
   std::string comment_;
 };
 
-/// Whether waves can be recorded. Verilator keeps every net for them, so such a class is slower, and another one.
+/// Whether waves can be recorded. Verilator keeps every net for them, so such a class is another one.
 enum class waves { off, on };
 
 /// The exported Verilog of the device in the format. All named formats of all devices are compiled in: those under
