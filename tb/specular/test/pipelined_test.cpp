@@ -3,6 +3,8 @@
 // way. One process per case: SystemC elaborates once.
 #include "tb/specular/pipelined.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <deque>
 #include <fstream>
@@ -274,7 +276,8 @@ TEST_CASE("whatever the cuts, all inputs of a block belong to one point") {
     int stages = 1;
     for (int cut = 1; cut <= cuts; ++cut) {
       if (((choice >> (cut - 1)) & 1) == 0) continue;
-      list += (list.empty() ? "" : ",") + std::to_string(cut);
+      if (!list.empty()) list += ',';
+      list += std::to_string(cut);
       ++stages;
     }
     CAPTURE(list);
@@ -371,7 +374,7 @@ TEST_CASE("wrong stages and cuts are refused") {
   const std::string levels = std::to_string(pipelined_of(asked).levels().size());
   CHECK(message({{"stages", levels}}).empty());
   CHECK(message({{"cuts", "1,3"}}).empty());
-  for (const std::string& wrong : std::vector<std::string>{"0", "-1", "2.5", "x", "99"}) {
+  for (const char* const wrong : {"0", "-1", "2.5", "x", "99"}) {
     CAPTURE(wrong);
     CHECK(test::is_line_with(message({{"stages", wrong}}),
                              "--stages is " + wrong + ", expected 1 to " + levels));
@@ -379,7 +382,7 @@ TEST_CASE("wrong stages and cuts are refused") {
   for (const std::string& wrong :
        std::vector<std::string>{"0", "3,1", "2,2", "1,", ",1", "1;2", levels, "x"}) {
     CAPTURE(wrong);
-    CHECK(test::is_line_with(message({{"cuts", wrong}}), "--cuts is " + wrong + ", expected"));
+    CHECK(test::is_line_with(message({{"cuts", wrong}}), fmt::format("--cuts is {}, expected", wrong)));
   }
   CHECK(test::is_line_with(message({{"stages", "2"}, {"cuts", "1"}}), "exclude each other"));
 }
