@@ -13,7 +13,7 @@ usage() {
   sed -n '3,8s/^# //p' "$self" >&2
   exit 2
 }
-[ -d "${1:-}" ] && [ -d "${2:-}" ] || usage
+if [ ! -d "${1:-}" ] || [ ! -d "${2:-}" ]; then usage; fi
 property=${3:-} fault=${4:-}
 top=blysk_$(basename "$1")
 other=blysk_$(basename "$2")
@@ -43,11 +43,10 @@ case $property in
       sed -i -E 's/output reg/output wire/; /^  (reg|always)/,$d' "$pipe"
       printf '  assign q_o = d_i;\nendmodule\n' >>"$pipe"
     done
-    registers='n cos_delta r_ks g_ks b_ks'
     # combinational FOLDER TOP NAME: the module NAME with the registers as inputs.
     combinational() {
       echo "read_verilog $1/*.v; hierarchy -top $2; proc; flatten; memory -nordff; opt_clean; rename $2 $3
-        expose -input $(printf "$3/w:%s " $registers); expose $3/w:brdf; delete $3/w:valid_o; opt_clean"
+        expose -input $(printf "$3/w:%s " n cos_delta r_ks g_ks b_ks); expose $3/w:brdf; delete $3/w:valid_o; opt_clean"
     }
     yosys -q -p "$(combinational device "$top" device)
       design -stash first
