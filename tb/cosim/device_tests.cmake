@@ -144,7 +144,12 @@ function(blysk_device_tests device)
 
   # Coverage and mutants.
   set(reasons "")
-  foreach(file ${PROJECT_SOURCE_DIR}/tb/${family}/uncovered.txt ${own}/uncovered.txt)
+  set(files ${PROJECT_SOURCE_DIR}/tb/${family}/uncovered.txt ${own}/uncovered.txt)
+  if(family STREQUAL pipelined)  # the blocks are those of the other device
+    string(REPLACE - _ other ${unpiped})
+    list(APPEND files ${PROJECT_SOURCE_DIR}/tb/specular/uncovered.txt ${PROJECT_SOURCE_DIR}/tb/devices/${other}/uncovered.txt)
+  endif()
+  foreach(file IN LISTS files)
     if(EXISTS ${file})
       list(APPEND reasons ${file})
     endif()

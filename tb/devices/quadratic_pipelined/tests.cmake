@@ -6,5 +6,5 @@ set(protocol handshake)      # start, ready and valid
 set(exhaustive q8 q10 q12)
 set(beside q8)
 set(covered q8)
-set(mutated q8)
+set(mutated "")
 set(simulated 100000)        # rows of each variant that are tried in SystemC
