@@ -192,6 +192,21 @@ std::vector<configuration> read_measured(const std::string& folder) {
   return all;
 }
 
+std::optional<cost_row> measured_cost(const selection& asked) {
+  const std::string path = row_path("cost", asked);
+  const auto found = std::ranges::find(embedded_files(), path, &measured_file::path);
+  if (found == embedded_files().end()) return std::nullopt;
+  return parse_cost_row(path, std::string(found->text));
+}
+
+std::optional<verilog::reached_clock> clock_of(const selection& asked) {
+  const std::optional<cost_row> row = measured_cost(asked);
+  if (!row || !row->osu018) return std::nullopt;
+  return verilog::reached_clock{
+      row->osu018->path_ns,
+      fmt::format("OSU018, {:.2f} (docs/tables/{})", row->osu018->path_ns, row_path("cost", asked))};
+}
+
 void look_for_stale(std::vector<configuration>& all) {
   std::vector<selection> asked;
   std::ranges::transform(all, std::back_inserter(asked), &configuration::asked);

@@ -11,6 +11,7 @@
 
 #include "tb/cost/cost_row.h"
 #include "tb/cost/errors.h"
+#include "tb/export/export.h"
 
 namespace blysk::cost {
 
@@ -58,6 +59,12 @@ struct configuration {
 /// \param folder  with the files, such as docs/tables; empty for the embedded ones
 /// \throws usage_error for a damaged file, or a folder that holds none
 std::vector<configuration> read_measured(const std::string& folder);
+
+/// The embedded row of a device in a format with options; empty if it was not measured.
+std::optional<cost_row> measured_cost(const selection& asked);
+
+/// The clock that its longest path in OSU018 allows, for the constraints of its export; empty if it was not measured.
+std::optional<verilog::reached_clock> clock_of(const selection& asked);
 
 /// Finds which rows are stale. It exports each device in a process of its own.
 void look_for_stale(std::vector<configuration>& all);
