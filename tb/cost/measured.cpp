@@ -23,8 +23,8 @@ struct named_text {
 
 /// \param name  "cost_q8.json"
 bool is_row(const std::string& name) {
-  return name.ends_with(".json") &&
-         (name.starts_with("cost_") || name.starts_with("errors_") || name.starts_with("reference_"));
+  return name.ends_with(".json") && (name.starts_with("cost_") || name.starts_with("errors_") ||
+                                     name.starts_with("energy_") || name.starts_with("reference_"));
 }
 
 constexpr const char* kHostTimes = "host_times.json";
@@ -128,6 +128,12 @@ double configuration::ice40_mhz() const {
   return cost.hx8k ? cost.hx8k->least() : 0;
 }
 
+double configuration::energy_pj() const {
+  if (!energy) return 0;
+  const auto found = energy->stimuli.find("sphere");
+  return found == energy->stimuli.end() ? 0 : found->second.whole.with_delays.pj;
+}
+
 double configuration::asic_mhz() const {
   return cost.osu018 ? 1e3 / cost.osu018->path_ns : 0;
 }
@@ -170,6 +176,10 @@ std::vector<configuration> read_measured(const std::string& folder) {
       cost_row row = parse_cost_row(file.path, file.text);
       configuration& of = find_or_add(all, file.path, row.device, row.format, row.options);
       of.reference = std::move(row);
+    } else if (name.starts_with("energy_")) {
+      energy_row row = parse_energy_row(file.path, file.text);
+      configuration& of = find_or_add(all, file.path, row.device, row.format, row.options);
+      of.energy = std::move(row);
     } else if (name.starts_with("errors_")) {
       add_errors(all, file);
     }
@@ -215,7 +225,8 @@ void look_for_stale(std::vector<configuration>& all) {
     configuration& each = all[i];
     each.digest = digests[i];
     each.is_stale = differs(each.cost.ice40, each.digest) || differs(each.cost.ice40_dsp, each.digest) ||
-                    differs(each.cost.hx8k, each.digest) || differs(each.cost.osu018, each.digest);
+                    differs(each.cost.hx8k, each.digest) || differs(each.cost.osu018, each.digest) ||
+                    (each.energy && each.energy->digest != each.digest);
   }
 }
 

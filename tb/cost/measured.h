@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "tb/cost/cost_row.h"
+#include "tb/cost/energy_row.h"
 #include "tb/cost/errors.h"
 #include "tb/export/export.h"
 
@@ -35,6 +36,7 @@ struct configuration {
   cost_row cost = {};       ///< parts that were not measured are not there
   cost_row reference = {};  ///< of the device written by hand in Verilog
   std::optional<error_table> errors = {};
+  std::optional<energy_row> energy = {};
   std::map<std::string, host_time> host = {};  ///< by engine
   std::string digest = {};                     ///< of the Verilog that is exported today; empty if none is
   bool is_stale = false;                       ///< a part of the cost belongs to another Verilog
@@ -47,6 +49,9 @@ struct configuration {
   /// MHz that each seed reaches, or that the longest path allows; 0 if not measured.
   double ice40_mhz() const;
   double asic_mhz() const;
+
+  /// pJ of a pixel of a lit sphere in OSU018; 0 if not measured.
+  double energy_pj() const;
 
   /// What a shell repeats the row by.
   std::string command() const;

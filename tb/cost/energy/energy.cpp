@@ -2,11 +2,10 @@
 // What energy.sh does not do itself.
 // energy half DELAYS.json: half a clock's period in ps in which everything settles.
 // energy more --device D ...: "pipelined", or the clock cycles that a device with strobes takes beyond the two of a write.
-// energy activity NETLIST.json CELLS.lib WAVES.vcd CYCLES --toggles FILE: how often each cell's output changes in the waves, as
-//   commands of OpenSTA; the changes of each block in FILE.
+// energy activity NETLIST.json CELLS.lib WAVES.vcd CYCLES --toggles FILE: how often each cell's pins change in the waves, as
+//   lines "activity PIN CHANGES_PER_CYCLE"; the changes of each block's cells' outputs in FILE.
 // energy collect DELAYS.json ROWS HALF KINDS: what was counted and what OpenSTA reported, as a row. KINDS has a line
 //   "KIND CYCLES" for each kind of rows; beside it lie KIND.delayed.toggles, KIND.plain.power and so on.
-// energy glitches ROW.json: exit 1 unless delays make more changes in each kind of rows.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -130,17 +129,21 @@ void activity(const std::string& netlist_path, const std::string& library, const
     }
     long long& sum = per_block[block];
     for (const auto& [cell, what] : module.at("cells").items()) {
-      for (const std::string& pin : outputs.at(what.at("type").get<std::string>())) {
-        if (!what.at("connections").contains(pin) || what["connections"][pin].empty()) continue;
-        const json& bit = what["connections"][pin].at(0);
-        const auto net = names.find(bit.get<int>());
+      const std::set<std::string>& driven = outputs.at(what.at("type").get<std::string>());
+      for (const auto& [pin, bits] : what.at("connections").items()) {
+        if (bits.empty() || !bits.at(0).is_number()) continue;  // nothing, or a constant
+        const auto net = names.find(bits.at(0).get<int>());
         if (net == names.end())
           throw file_error(waves, 0, fmt::format("lacks the net at {}/{}/{}", block, cell, pin));
         const long long count = changes.at(block + "/" + net->second);
-        sum += count;
-        ++drivers;
-        fmt::print("set_power_activity -pins [get_pins {}/{}/{}] -activity {:.6f} -duty 0.5\n", block, cell,
-                   pin, static_cast<double>(count) / cycles);
+        if (driven.contains(pin)) {
+          sum += count;
+          ++drivers;
+        }
+        // OpenSTA takes an activity of 0 for none that is given.
+        constexpr double kNone = 1e-9;
+        fmt::print("activity {}/{}/{} {:.9f}\n", block, cell, pin,
+                   std::max(static_cast<double>(count) / cycles, kNone));
       }
     }
   }
@@ -212,14 +215,6 @@ void collect(const std::string& delays_path, int rows, double half_ps, const std
   fmt::print("{}", cost::stored_text(row));
 }
 
-bool has_glitches(const std::string& path) {
-  const json row = cost::parse_json(path, cost::read_text(path));
-  return std::ranges::all_of(row.at("stimuli"), [](const json& kind) {
-    return kind.at("with_delays").at("toggles").get<double>() >
-           1.05 * kind.at("without").at("toggles").get<double>();
-  });
-}
-
 std::string more(const selection& asked) {
   const std::vector<port> ports = asked.of().ports(asked);
   if (protocol_of(ports) == protocol::handshake) {
@@ -233,11 +228,11 @@ std::string more(const selection& asked) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  std::string delays, netlist, library, waves, toggles, kinds, row;
+  std::string delays, netlist, library, waves, toggles, kinds;
   double cycles = 0, half = 0;
   int rows = 0;
   asked_device asked;
-  CLI::App *halves = nullptr, *mores = nullptr, *counts = nullptr, *collects = nullptr, *glitches = nullptr;
+  CLI::App *halves = nullptr, *mores = nullptr, *counts = nullptr, *collects = nullptr;
   return run_program(
       argc, argv, "Counts the changes of a mapped netlist and collects the energy of its cells",
       [&](CLI::App& program) {
@@ -246,7 +241,7 @@ int main(int argc, char** argv) {
             program.add_subcommand("half", "print half a clock's period in ps in which everything settles");
         mores = program.add_subcommand("more", "print how a device takes its rows");
         add_device_arguments(*mores, asked, purpose::hardware);
-        counts = program.add_subcommand("activity", "count the changes of each cell's output");
+        counts = program.add_subcommand("activity", "count the changes of each cell's pins");
         counts->add_option("NETLIST", netlist, "that Yosys wrote as JSON")->required();
         counts->add_option("LIBRARY", library, "of the cells")->required();
         counts->add_option("WAVES", waves, "of the nets of its blocks")->required();
@@ -258,8 +253,6 @@ int main(int argc, char** argv) {
         collects->add_option("ROWS", rows, "results that were recorded")->required();
         collects->add_option("HALF", half, "half the clock's period in ps")->required();
         collects->add_option("KINDS", kinds, "kinds of rows and their cycles")->required();
-        glitches = program.add_subcommand("glitches", "fail unless delays make more changes");
-        glitches->add_option("ROW", row, "made by collect")->required();
       },
       [&] {
         if (halves->parsed()) {
@@ -269,10 +262,8 @@ int main(int argc, char** argv) {
           fmt::print("{}\n", more(asked.choose()));
         } else if (counts->parsed()) {
           activity(netlist, library, waves, cycles, toggles);
-        } else if (collects->parsed()) {
-          collect(delays, rows, half, kinds);
         } else {
-          return has_glitches(row) ? 0 : 1;
+          collect(delays, rows, half, kinds);
         }
         return 0;
       });
