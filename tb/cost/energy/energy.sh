@@ -82,7 +82,7 @@ cp "$mapped/delays/netlist.v" plain.v
 [ "$fault" != other_outputs ] || sed -i 's/NAND2X1/NOR2X1/' plain.v
 out_bits=$(sed -nE 's/.*output wire \[([0-9]+):0\] r_o.*/\1/p' "$mapped/wrapper/mapped.v")
 half=$("$energy" half "$measured")
-macros=(-DCOS_BITS=$((bits + 1)) -DOUT_BITS=$((out_bits + 1)) -DHALF="$half" -DROWS=$rows -DWARM=$warm)
+macros=(-DCOS_BITS=$((bits + 1)) -DOUT_BITS=$((out_bits + 1)) -DHALF="$half" "-DROWS=$rows" "-DWARM=$warm")
 settles=$("$energy" more "${chosen[@]}")
 if [ "$settles" = pipelined ]; then macros+=(-DPIPELINED); else macros+=(-DMORE="$settles"); fi
 bench=("$here/energy.v" "$mapped/wrapper/mapped.v")
@@ -126,7 +126,9 @@ for kind in random line sphere; do
 done
 # The cells have delays of their own, which the SDF file replaces.
 vvp -n delayed.vvp +vcd=own.vcd >said
-if tail -n +4 own.vcd | cmp -s - <(tail -n +4 $kind.delayed.vcd); then fail "the delays of the SDF file change nothing: it was not read"; fi
+if tail -n +4 own.vcd | cmp -s - <(tail -n +4 "$kind.delayed.vcd"); then
+  fail "the delays of the SDF file change nothing: it was not read"
+fi
 "$energy" collect "$measured" "$rows" "$half" kinds.txt >made.json
 if [ "$action" = check ]; then
   diff "$row" made.json
