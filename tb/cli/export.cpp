@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "tb/cli/verbs.h"
+#include "tb/cost/measured.h"
 #include "tb/device_arguments.h"
 #include "tb/output_file.h"
 
@@ -19,7 +20,7 @@ struct options {
 
 void run(const options& asked) {
   const selection device = asked.device.choose();
-  write_directory(asked.output, verilog::export_files(device));
+  write_directory(asked.output, verilog::export_files(device, cost::clock_of(device)));
   fmt::print("{}: read it with the file list {}.f\n", printable(asked.output), device.top_name());
 }
 

@@ -15,6 +15,8 @@
 #include "tb/cli/stream.h"
 #include "tb/cli/verbs.h"
 #include "tb/cost/delays.h"
+#include "tb/cost/measured.h"
+#include "tb/cost/table.h"
 #include "tb/csv_reader.h"
 #include "tb/device_arguments.h"
 #include "tb/harness/systemc_engine.h"
@@ -103,6 +105,22 @@ void check(const options& asked) {
   }
 }
 
+/// How long so many cycles take at the clocks that the device was seen to reach.
+void report_clocks(const selection& device, std::uint64_t cycles, nlohmann::ordered_json& json,
+                   std::string& text) {
+  nlohmann::ordered_json& clocks = json["measured_clocks"] = nlohmann::ordered_json::array();
+  const std::optional<cost::cost_row> row = cost::measured_cost(device);
+  if (!row) return;
+  const cost::configuration measured{.asked = device, .cost = *row};
+  for (const cost::technology& in : cost::technologies()) {
+    const double mhz = in.mhz(measured);
+    if (mhz <= 0) continue;
+    const double ns = 1e3 * static_cast<double>(cycles) / mhz;
+    clocks.push_back({{"target", in.name}, {"mhz", mhz}, {"ns", ns}});
+    text += fmt::format(", {:.0f} ns at the {:.1f} MHz of {}", ns, mhz, in.name);
+  }
+}
+
 void report(const options& asked, const selection& device, const outcome& run, const clocked_engine* clocked,
             const timed_run& timed) {
   nlohmann::ordered_json json{{"device", device.of().name()},
@@ -134,7 +152,12 @@ void report(const options& asked, const selection& device, const outcome& run, c
     json["cycles"] = cycles;
     json["writes"] = clocked->writes();
     json["simulated_ns"] = simulated_ns;
-    text += fmt::format(", {} clock cycles, {} ns simulated", cycles, simulated_ns);
+    text += fmt::format(", {} clock cycles", cycles);
+    if (asked.is_timed()) {
+      text += fmt::format(", {} ns simulated", simulated_ns);
+    } else {
+      report_clocks(device, cycles, json, text);
+    }
   }
   if (asked.is_timed()) {
     const auto ns = [](std::uint64_t ps) { return static_cast<double>(ps) / 1000; };

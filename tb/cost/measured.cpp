@@ -23,8 +23,8 @@ struct named_text {
 
 /// \param name  "cost_q8.json"
 bool is_row(const std::string& name) {
-  return name.ends_with(".json") &&
-         (name.starts_with("cost_") || name.starts_with("errors_") || name.starts_with("reference_"));
+  return name.ends_with(".json") && (name.starts_with("cost_") || name.starts_with("errors_") ||
+                                     name.starts_with("energy_") || name.starts_with("reference_"));
 }
 
 constexpr const char* kHostTimes = "host_times.json";
@@ -128,6 +128,12 @@ double configuration::ice40_mhz() const {
   return cost.hx8k ? cost.hx8k->least() : 0;
 }
 
+double configuration::energy_pj() const {
+  if (!energy) return 0;
+  const auto found = energy->stimuli.find("sphere");
+  return found == energy->stimuli.end() ? 0 : found->second.whole.with_delays.pj;
+}
+
 double configuration::asic_mhz() const {
   return cost.osu018 ? 1e3 / cost.osu018->path_ns : 0;
 }
@@ -170,6 +176,10 @@ std::vector<configuration> read_measured(const std::string& folder) {
       cost_row row = parse_cost_row(file.path, file.text);
       configuration& of = find_or_add(all, file.path, row.device, row.format, row.options);
       of.reference = std::move(row);
+    } else if (name.starts_with("energy_")) {
+      energy_row row = parse_energy_row(file.path, file.text);
+      configuration& of = find_or_add(all, file.path, row.device, row.format, row.options);
+      of.energy = std::move(row);
     } else if (name.starts_with("errors_")) {
       add_errors(all, file);
     }
@@ -192,6 +202,21 @@ std::vector<configuration> read_measured(const std::string& folder) {
   return all;
 }
 
+std::optional<cost_row> measured_cost(const selection& asked) {
+  const std::string path = row_path("cost", asked);
+  const auto found = std::ranges::find(embedded_files(), path, &measured_file::path);
+  if (found == embedded_files().end()) return std::nullopt;
+  return parse_cost_row(path, std::string(found->text));
+}
+
+std::optional<verilog::reached_clock> clock_of(const selection& asked) {
+  const std::optional<cost_row> row = measured_cost(asked);
+  if (!row || !row->osu018) return std::nullopt;
+  return verilog::reached_clock{
+      row->osu018->path_ns,
+      fmt::format("OSU018, {:.2f} (docs/tables/{})", row->osu018->path_ns, row_path("cost", asked))};
+}
+
 void look_for_stale(std::vector<configuration>& all) {
   std::vector<selection> asked;
   std::ranges::transform(all, std::back_inserter(asked), &configuration::asked);
@@ -200,7 +225,8 @@ void look_for_stale(std::vector<configuration>& all) {
     configuration& each = all[i];
     each.digest = digests[i];
     each.is_stale = differs(each.cost.ice40, each.digest) || differs(each.cost.ice40_dsp, each.digest) ||
-                    differs(each.cost.hx8k, each.digest) || differs(each.cost.osu018, each.digest);
+                    differs(each.cost.hx8k, each.digest) || differs(each.cost.osu018, each.digest) ||
+                    (each.energy && each.energy->digest != each.digest);
   }
 }
 

@@ -10,7 +10,9 @@
 #include <vector>
 
 #include "tb/cost/cost_row.h"
+#include "tb/cost/energy_row.h"
 #include "tb/cost/errors.h"
+#include "tb/export/export.h"
 
 namespace blysk::cost {
 
@@ -34,6 +36,7 @@ struct configuration {
   cost_row cost = {};       ///< parts that were not measured are not there
   cost_row reference = {};  ///< of the device written by hand in Verilog
   std::optional<error_table> errors = {};
+  std::optional<energy_row> energy = {};
   std::map<std::string, host_time> host = {};  ///< by engine
   std::string digest = {};                     ///< of the Verilog that is exported today; empty if none is
   bool is_stale = false;                       ///< a part of the cost belongs to another Verilog
@@ -47,6 +50,9 @@ struct configuration {
   double ice40_mhz() const;
   double asic_mhz() const;
 
+  /// pJ of a pixel of a lit sphere in OSU018; 0 if not measured.
+  double energy_pj() const;
+
   /// What a shell repeats the row by.
   std::string command() const;
 
@@ -58,6 +64,12 @@ struct configuration {
 /// \param folder  with the files, such as docs/tables; empty for the embedded ones
 /// \throws usage_error for a damaged file, or a folder that holds none
 std::vector<configuration> read_measured(const std::string& folder);
+
+/// The embedded row of a device in a format with options; empty if it was not measured.
+std::optional<cost_row> measured_cost(const selection& asked);
+
+/// The clock that its longest path in OSU018 allows, for the constraints of its export; empty if it was not measured.
+std::optional<verilog::reached_clock> clock_of(const selection& asked);
 
 /// Finds which rows are stale. It exports each device in a process of its own.
 void look_for_stale(std::vector<configuration>& all);

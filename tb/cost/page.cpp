@@ -21,6 +21,8 @@ using words = std::vector<std::string>;
 using rows = std::vector<configuration>;
 
 constexpr const char* kNothing = "-";
+constexpr const char* kBlocks =
+    "rows, errors, front, compare, reference, host, energy, energy-of-blocks or tools";
 
 std::string line_of(const words& cells) {
   std::string text;
@@ -83,7 +85,8 @@ std::string errors_block(const rows& all, const words& formats) {
       head_of({"device", "domain", "largest", "at n", "at cos", "rms", "bias", "not rounded correctly",
                "0 / 1 / 2 / more ulp", "largest relative", "NMSE", "8-bit steps", "falls"});
   for (const configuration& each : in_formats(all, formats)) {
-    if (!each.errors) continue;
+    // Those of another device, bit for bit, stand there.
+    if (!each.errors || each.asked.of().computes_as(each.asked)) continue;
     for (const named_domain& where : kDomains) {
       const errors& e = errors_in(each, where.which);
       const auto share = [&](std::uint64_t count) {
@@ -236,10 +239,51 @@ std::string tools_block(const rows& all) {
   return text;
 }
 
+const energy_use* use_of(const configuration& of, const std::string& kind) {
+  if (!of.energy) return nullptr;
+  const auto found = of.energy->stimuli.find(kind);
+  return found == of.energy->stimuli.end() ? nullptr : &found->second;
+}
+
+std::string energy_block(const rows& all, const words& asked) {
+  const std::string& kind = asked.at(0);
+  std::string text = head_of({"device", "changes, no delays", "changes, with delays", "ratio",
+                              "pJ, no delays", "pJ, with delays", ""});
+  for (const configuration& each : in_formats(all, words(asked.begin() + 1, asked.end()))) {
+    const energy_use* const use = use_of(each, kind);
+    if (use == nullptr) continue;
+    const auto& [with, without] = use->whole;
+    text +=
+        line_of({each.label(), fmt::format("{:.0f}", without.toggles), fmt::format("{:.0f}", with.toggles),
+                 fmt::format("{:.2f}", with.toggles / without.toggles), fmt::format("{:.1f}", without.pj),
+                 fmt::format("{:.1f}", with.pj), each.is_stale ? "stale" : ""});
+  }
+  return text;
+}
+
+std::string blocks_energy_block(const rows& all, const words& asked) {
+  const std::string& kind = asked.at(0);
+  const auto found = std::ranges::find_if(all, [&](const configuration& each) {
+    return each.asked.of().name() == asked.at(1) && each.asked.format() == asked.at(2) &&
+           each.asked.is_preset();
+  });
+  if (found == all.end() || use_of(*found, kind) == nullptr)
+    throw std::invalid_argument(
+        fmt::format("the energy of {} {} was not measured with {}", asked[1], asked[2], kind));
+  std::string text =
+      head_of({"block", "changes, no delays", "changes, with delays", "ratio", "pJ, with delays"});
+  for (const auto& [block, use] : use_of(*found, kind)->blocks) {
+    text += line_of(
+        {block, fmt::format("{:.2f}", use.without.toggles), fmt::format("{:.2f}", use.with_delays.toggles),
+         use.without.toggles > 0 ? fmt::format("{:.2f}", use.with_delays.toggles / use.without.toggles)
+                                 : kNothing,
+         fmt::format("{:.2f}", use.with_delays.pj)});
+  }
+  return text;
+}
+
 std::string block_of(const std::string& path, std::size_t line, const words& asked, const rows& all) {
-  if (asked.empty())
-    throw file_error(path, line,
-                     "names no block, expected rows, errors, front, compare, reference, host or tools");
+  if (asked.empty()) throw file_error(path, line, fmt::format("names no block, expected {}", kBlocks));
   const words rest(asked.begin() + 1, asked.end());
   try {
     if (asked[0] == "rows") return rows_block(all, rest);
@@ -248,16 +292,15 @@ std::string block_of(const std::string& path, std::size_t line, const words& ask
     if (asked[0] == "compare") return compare_block(all, rest);
     if (asked[0] == "reference") return reference_block(all, rest);
     if (asked[0] == "host") return host_block(all, rest);
+    if (asked[0] == "energy") return energy_block(all, rest);
+    if (asked[0] == "energy-of-blocks") return blocks_energy_block(all, rest);
     if (asked[0] == "tools") return tools_block(all);
   } catch (const std::out_of_range&) {
     throw file_error(path, line, fmt::format("block {} has too few words", asked[0]));
   } catch (const std::invalid_argument& error) {
     throw file_error(path, line, error.what());
   }
-  throw file_error(
-      path, line,
-      fmt::format("block {} is unknown, expected rows, errors, front, compare, reference, host or tools",
-                  asked[0]));
+  throw file_error(path, line, fmt::format("block {} is unknown, expected {}", asked[0], kBlocks));
 }
 
 }  // namespace

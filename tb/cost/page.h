@@ -19,6 +19,8 @@ namespace blysk::cost {
 ///     compare DEVICE DEVICE    two devices side by side in every format that was measured of both
 ///     reference DEVICE         the export beside the device written by hand, in every format that was measured of both
 ///     host FORMAT...           host time of the engines as ratios
+///     energy STIMULUS FORMAT...  changes and energy for a result, with delays and without
+///     energy-of-blocks STIMULUS DEVICE FORMAT
 ///     tools                    what measured
 /// \param path  for messages
 /// \throws usage_error for a block that is unknown or has no end

@@ -91,7 +91,7 @@ void add_cost(json& row, const configuration& of) {
   row["cycles_per_result"] = of.cycles_per_result();
   row["results_per_s_ice40"] = or_null(rounded(1e6 * of.ice40_mhz() / of.cycles_per_result(), 1));
   row["results_per_s_asic"] = or_null(rounded(1e6 * of.asic_mhz() / of.cycles_per_result(), 1));
-  row["energy_pj"] = nullptr;
+  row["energy_pj"] = or_null(of.energy_pj());
   json host = json::object();
   for (const auto& [engine, time] : of.host)
     host[engine] = {{"s_per_million", time.seconds}, {"ratio_to_pow", time.ratio}};

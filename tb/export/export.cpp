@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <cmath>
+
 #include "tb/export/bench.h"
 #include "tb/netlist/layout.h"
 
@@ -84,34 +86,59 @@ std::string core_text(const std::string& name, const std::string& what, const fi
       has_bench ? fmt::format(kBenchTarget, name) : "");
 }
 
-std::string constraints_text(const netlist::elaborated& device) {
+std::string constraints_text(const netlist::elaborated& device, const std::optional<reached_clock>& clock) {
+  std::vector<port> ports;
+  for (const auto& each : device.ports()) ports.push_back(each->what);
   const auto names = [&](auto&& is_wanted) {
     std::vector<std::string> found;
-    for (const auto& each : device.ports()) {
-      if (!each->what.is_inner && is_wanted(each->what)) found.push_back(each->what.name);
+    for (const port& each : ports) {
+      if (!each.is_inner && is_wanted(each)) found.push_back(each.name);
     }
     return found;
   };
   const auto clocks = names([](const port& each) { return each.is == port::role::clock; });
   const auto inputs = names([](const port& each) { return each.is_input() && each.is != port::role::clock; });
   const auto outputs = names([](const port& each) { return !each.is_input(); });
-  std::string text =
-      "# SPDX-License-Identifier: Apache-2.0\n"
-      "# clk_period, in ns, is an example: set your clock's. Delays of 0 leave inputs and outputs the whole "
-      "period; set\n"
-      "# what your board takes of it. No path is false: reset is synchronous.\n"
-      "set clk_period 10.0\n";
+  const auto results = names([](const port& each) { return each.is == port::role::result; });
+  std::string text = "# SPDX-License-Identifier: Apache-2.0\n";
+  if (clock) {
+    text += fmt::format(
+        "# clk_period, in ns, is what the longest path takes in {}. In other cells it is another.\n",
+        clock->words);
+  } else {
+    text += "# clk_period, in ns, is an example: no clock of this device was measured. Set your clock's.\n";
+  }
+  text += fmt::format(
+      "# Delays of 0 leave inputs and outputs the whole period; set what your board takes of it. No path is "
+      "false: reset "
+      "is\n# synchronous.\nset clk_period {:.1f}\n",
+      clock ? std::ceil(clock->period_ns * 10) / 10 : 10.0);
+  const bool has_strobes = protocol_of(ports) == protocol::strobes;
+  if (has_strobes) {
+    text +=
+        "# strobe_gap: clock cycles from the edge that loads the last register of a write to the edge that "
+        "samples its\n"
+        "# results. With a shorter clk_period the host waits more of them between two strobes.\n"
+        "set strobe_gap 1\n";
+  }
   for (const std::string& clk : clocks) {
     text += fmt::format("create_clock -name {0} -period $clk_period [get_ports {0}]\n", clk);
     text += fmt::format("set_input_delay 0 -clock {} [get_ports {{{}}}]\n", clk, fmt::join(inputs, " "));
     text += fmt::format("set_output_delay 0 -clock {} [get_ports {{{}}}]\n", clk, fmt::join(outputs, " "));
+  }
+  if (has_strobes) {
+    text += fmt::format(
+        "set_multicycle_path $strobe_gap -setup -to [get_ports {{{0}}}]\n"
+        "set_multicycle_path [expr {{$strobe_gap - 1}}] -hold -to [get_ports {{{0}}}]\n",
+        fmt::join(results, " "));
   }
   return text;
 }
 
 }  // namespace
 
-files export_files(const netlist::elaborated& device, const std::string& name, const std::string& title) {
+files export_files(const netlist::elaborated& device, const std::string& name, const std::string& title,
+                   const std::optional<reached_clock>& clock) {
   sc_core::sc_start(sc_core::SC_ZERO_TIME);  // elaborates: what ports are bound to is known then
   std::map<std::string, std::string> notes;
   for (const auto& each : device.ports()) notes[each->what.name] = each->what.text();
@@ -124,13 +151,13 @@ files export_files(const netlist::elaborated& device, const std::string& name, c
   result[name + ".f"] = list;
   if (!bench.empty()) result[name + "_bench.vt"] = bench;
   result[name + ".core"] = core;
-  result[name + ".sdc"] = constraints_text(device);
+  result[name + ".sdc"] = constraints_text(device, clock);
   result[name + ".gtkw"] = netlist::layout_text(device, title, "TOP." + name, netlist::waves_of::verilog);
   return result;
 }
 
-files export_files(const selection& asked) {
-  return export_files(*asked.of().elaborate(asked, 0), asked.top_name(), asked.text());
+files export_files(const selection& asked, const std::optional<reached_clock>& clock) {
+  return export_files(*asked.of().elaborate(asked, 0), asked.top_name(), asked.text(), clock);
 }
 
 }  // namespace blysk::verilog

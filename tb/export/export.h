@@ -2,6 +2,7 @@
 /// Verilog of a device, made from its elaborated SystemC.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "tb/device.h"
@@ -9,15 +10,23 @@
 
 namespace blysk::verilog {
 
+/// A clock that the device was seen to reach.
+struct reached_clock {
+  double period_ns;
+  std::string words;  ///< where, "OSU018, docs/tables/..."
+};
+
 /// The device's modules (Verilog-2001, one to a file), the file list top.f, the FuseSoC description top.core, the
 /// constraints top.sdc, the layout top.gtkw, which GTKWave reads with the waves that Verilator writes of it, and the test
 /// bench top_bench.vt of bench_text().
 /// \param device  on a plain clock; SystemC elaborates it here if it has not
 /// \param name    of the top module
 /// \param title   what the device is, in one line
-files export_files(const netlist::elaborated& device, const std::string& name, const std::string& title);
+/// \param clock   for the constraints; without one they have an example
+files export_files(const netlist::elaborated& device, const std::string& name, const std::string& title,
+                   const std::optional<reached_clock>& clock = {});
 
 /// The same for a device as its user asks for it, which is elaborated: a process does it once.
-files export_files(const selection& asked);
+files export_files(const selection& asked, const std::optional<reached_clock>& clock = {});
 
 }  // namespace blysk::verilog

@@ -62,6 +62,14 @@ proc set_output_delay {delay option clock names} {
   expect "output delay" [list $option $clock] "-clock $::clock"
   set ::constrained(output) $names
 }
+proc set_multicycle_path {cycles edge option names} {
+  expect "multicycle path" [list $cycles $option] [list [expr {$edge eq "-setup" ? $::strobe_gap : $::strobe_gap - 1}] -to]
+  set ::cycles($edge) $names
+}
 source $folder/$top.sdc
 expect "$top.sdc, inputs" [concat $clock $constrained(input)] $ports(input)
 expect "$top.sdc, outputs" $constrained(output) $ports(output)
+# Results are what is sampled with a strobe at one.
+if {[info exists strobe_gap]} {
+  foreach edge {-setup -hold} {expect "$top.sdc, results" [concat $cycles($edge) valid_o] $ports(output)}
+}

@@ -75,6 +75,24 @@ TEST_CASE("a damaged row is refused in one line", "[cost]") {
   CHECK_THROWS_WITH(parse_cost_row("file", "[]"), Contains("is damaged"));
 }
 
+TEST_CASE("a row of energy is read, and a damaged one refused in one line", "[cost]") {
+  const std::string text =
+      R"({"device": "d", "format": "q8", "options": {}, "digest": "sha256:1", "stimuli": {"sphere": {)"
+      R"("with_delays": {"toggles": 40, "pj": 8}, "without": {"toggles": 10, "pj": 2.5},)"
+      R"("blocks": {"mul": {"with_delays": {"toggles": 30, "pj": 6}, "without": {"toggles": 5, "pj": 1}}}}}})";
+  const energy_row row = parse_energy_row("file", text);
+  CHECK(row.stimuli.at("sphere").whole.with_delays.pj == 8);
+  CHECK(row.stimuli.at("sphere").whole.without.toggles == 10);
+  CHECK(row.stimuli.at("sphere").blocks.at("mul").with_delays.toggles == 30);
+  for (const char* const key : {"digest", "with_delays", "toggles", "blocks"}) {
+    std::string damaged = text;
+    damaged.replace(damaged.find(key), 2, "??");
+    CAPTURE(key);
+    CHECK_THROWS_WITH(parse_energy_row("file", damaged), Contains("file: is damaged") && !Contains("\n"));
+  }
+  CHECK_THROWS_WITH(parse_energy_row("file", "{"), Contains("file"));
+}
+
 TEST_CASE("reports of the tools are read", "[cost]") {
   const ice40_cells cells = read_ice40_cells("stat", R"({"modules": {}, "design": {"num_cells_by_type": {
       "SB_CARRY": 125, "SB_DFFESR": 43, "SB_DFFSR": 1, "SB_LUT4": 1527, "SB_MAC16": 3, "SB_RAM40_4K": 5}}})");
