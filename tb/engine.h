@@ -38,7 +38,8 @@ class engine {
 /// What a device needs before its first row.
 inline constexpr std::uint64_t kResetCycles = 2;
 
-/// After so many clock cycles without a row taken or delivered an engine gives a device up.
+/// After so many clock cycles in which it takes no row and does not come to its end an engine gives a device up. The longest
+/// scan line takes a sixtieth of it.
 inline constexpr std::uint64_t kPatienceCycles = 1 << 16;
 
 /// An engine with a clock.

@@ -141,14 +141,13 @@ class verilated : public Base {
     std::size_t taken = 0;
     std::size_t delivered = 0;
     int idle = 0;              // cycles in which the device had nothing to take
-    std::uint64_t waited = 0;  // cycles since it took or delivered a row
+    std::uint64_t waited = 0;  // cycles since it took a row
     while (idle <= Glue::kSettlingCycles) {
       finish_cycle();
       clock(false);
       if (++waited > kPatienceCycles)
-        throw std::runtime_error("the device neither takes nor delivers a row any more");
+        throw std::runtime_error("the device takes no row any more and does not come to its end");
       if (glue_.valid() != 0) {
-        waited = 0;
         if (delivered == out.size()) {
           out.resize(2 * delivered + 1);
           point_at(out);

@@ -189,7 +189,7 @@ class handshake_host final : public sc_core::sc_module, public host {
     sc_core::sc_start();  // until step() pauses
     in_ = nullptr;
     if (waited_ > kPatienceCycles)
-      throw std::runtime_error("the device neither takes nor delivers a row any more");
+      throw std::runtime_error("the device takes no row any more and does not come to its end");
     out.resize(delivered_);
     writes_ += taken_;
   }
@@ -222,7 +222,6 @@ class handshake_host final : public sc_core::sc_module, public host {
     if (delivered_ == out_->size()) out_->resize(2 * delivered_ + 1);
     for (std::size_t i = 0; i < results_.size(); ++i) (*out_)[i].set(delivered_, results_[i]->read());
     ++delivered_;
-    waited_ = 0;
   }
 
   sc_core::sc_time period_;
@@ -238,7 +237,7 @@ class handshake_host final : public sc_core::sc_module, public host {
   std::size_t taken_ = 0;
   std::size_t delivered_ = 0;
   int idle_ = 0;              // cycles in which the device had nothing to take
-  std::uint64_t waited_ = 0;  // cycles since it took or delivered a row
+  std::uint64_t waited_ = 0;  // cycles since it took a row
   std::uint64_t cycles_ = 0;
   std::uint64_t writes_ = 0;
 };
