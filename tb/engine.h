@@ -38,8 +38,7 @@ class engine {
 /// What a device needs before its first row.
 inline constexpr std::uint64_t kResetCycles = 2;
 
-/// After so many clock cycles in which it takes no row and does not come to its end an engine gives a device up. The longest
-/// scan line takes a sixtieth of it.
+/// After so many clock cycles in which it takes no row and does not come to its end an engine gives a device up.
 inline constexpr std::uint64_t kPatienceCycles = 1 << 16;
 
 /// An engine with a clock.
