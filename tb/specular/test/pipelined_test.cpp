@@ -387,7 +387,7 @@ TEST_CASE("wrong stages and cuts are refused") {
   for (const char* const wrong : {"0", "-1", "2.5", "x", "99"}) {
     CAPTURE(wrong);
     CHECK(test::is_line_with(message({{"stages", wrong}}),
-                             "--stages is " + wrong + ", expected 1 to " + levels));
+                             fmt::format("--stages is {}, expected 1 to {}", wrong, levels)));
   }
   for (const std::string& wrong :
        std::vector<std::string>{"0", "3,1", "2,2", "1,", ",1", "1;2", levels, "x"}) {
