@@ -112,8 +112,8 @@ TEST_CASE("values are what the wires stand for, and the error is the device minu
       bool confirms;
       if (has_strobes) {  // the leading edge belongs to the write before
         confirms = is_up && seen.value(i - 1, valid_signal) == 0 && pulses++ > 0;
-      } else {  // SystemC's record ends within the clock period of the last row
-        confirms = is_up && seen.value(i, "clk") == 1;
+      } else {  // SystemC repeats the last half period as the end of its record
+        confirms = is_up && seen.value(i, "clk") == 1 && i + 1 < seen.values.size();
         if (!is_up) REQUIRE(seen.real(i, "values.error_real") == 0);
       }
       if (!confirms) continue;
