@@ -19,8 +19,9 @@ export=("$blysk" export --device "$device" --format "$format" --wrapper serial -
 if [ "$4" = refused ]; then
   status=0
   "${export[@]}" >said 2>error || status=$?
-  [ "$status" = 2 ] && [ "$(wc -l <error)" = 1 ] && grep -q 'a device with strobes' error && [ ! -e rtl ] ||
+  if [ "$status" != 2 ] || [ "$(wc -l <error)" != 1 ] || ! grep -q 'a device with strobes' error || [ -e rtl ]; then
     fail "expected a refusal in one line: status $status, $(cat error)"
+  fi
   exit
 fi
 "${export[@]}" >log
@@ -44,10 +45,11 @@ if [ "$4" = mapped ]; then
   yosys -q -p "read_verilog rtl/*.v; synth_ice40 -top $top -json mapped.json; write_verilog -noattr mapped.v"
   nextpnr-ice40 --hx8k --package ct256 --freq 12 --seed 1 --json mapped.json --pcf "rtl/$top.pcf" --asc mapped.asc >log 2>&1 ||
     { cat log >&2 && fail 'it does not fit, or is too slow'; }
+  grep 'ICESTORM_LC:' log
   grep 'Max frequency' log | tail -n 1
   icepack mapped.asc mapped.bin
   [ "$(stat -c %s mapped.bin)" -gt 100000 ] || fail 'no bitstream'
-  cells=$(yosys-config --datdir)/ice40/cells_sim.v
+  cells=$(dirname "$(readlink -f "$(command -v yosys)")")/../share/yosys/ice40/cells_sim.v
   iverilog -g2005 -DMAPPED -DNO_ICE40_DEFAULT_ASSIGNMENTS "-DDUT=$top" -s serial_bench -o bench "$bench" mapped.v "$cells"
   some 2503 >vectors
   [ "$(judge bench vectors)" = 0 ] || { cat verdict >&2 && fail 'the netlist answers otherwise'; }
