@@ -50,4 +50,9 @@ constexpr bool fits(std::int64_t lo, std::int64_t hi) {
   return Q::min <= lo && lo <= hi && hi <= Q::max;
 }
 
+/// A wire of one bit that carries no number, where a format is asked for.
+struct single_bit {
+  using raw_t = bool;
+};
+
 }  // namespace blysk

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -122,6 +123,12 @@ class device {
 
   /// The bit-accurate model: the blocks' laws composed on integers.
   virtual std::unique_ptr<engine> make_bit(const selection& asked) const = 0;
+
+  /// Another device whose results these are bit for bit, so that its errors are those of this one.
+  virtual std::optional<selection> computes_as(const selection&) const { return std::nullopt; }
+
+  /// Clock cycles from one row of the stimulus to the next at full speed.
+  virtual int cycles_per_row(const selection& asked) const;
 
   /// Bits of the read-only memories that the device needs.
   virtual std::int64_t rom_bits(const selection&) const { return 0; }

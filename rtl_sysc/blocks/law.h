@@ -203,6 +203,12 @@ constexpr T root_digits(T bits, T remainder, T root) {
   return select(is_zero, static_cast<T>(root << 1), static_cast<T>((root << 1) + static_cast<T>(1)));
 }
 
+/// Of two bits.
+template <class T>
+constexpr T both(T a, T b) {
+  return static_cast<T>(a && b);
+}
+
 /// A counter of steps: an operation starts while none is left.
 template <class T>
 constexpr T starts(T start, T left) {

@@ -82,9 +82,13 @@ struct parabola_formats {
 /// multipliers. Numbers are those of [P] fig. 1. A device derives from it and drives the net a from the net n.
 ///
 /// Formats  Formats: a parabola_formats.
-template <class Formats>
-struct parabola_device : specular_device<Formats> {
-  using base = specular_device<Formats>;
+/// \tparam Base  specular_device, or pipelined_device with these levels: 0 mul6 mul7, 1 add15 inv8 add9, 2 mul10, 3 add11,
+///               4 quant11, 5 mul12 mul13 mul14
+template <class Formats, class Base = specular_device<Formats>>
+struct parabola_device : Base {
+  using base = Base;
+  template <class Q>
+  using staged = typename base::template staged<Q>;
   template <class Q>
   using net = typename base::template net<Q>;
 
@@ -106,23 +110,40 @@ struct parabola_device : specular_device<Formats> {
   net<typename Formats::a_diff> SC_NAMED(a_times_diff);
   net<typename Formats::parabola> SC_NAMED(parabola);
 
-  explicit parabola_device(const sc_core::sc_module_name& name)
-      : base(name), carry28("carry28", 1), carry30("carry30", 0) {
+  staged<typename Formats::cos_delta> cos_1{"pipe_cos", "cos_1", 0, 1};
+  staged<typename Formats::cos_delta> cos_3{"pipe_cos_late", "cos_3", 1, 3};
+  staged<typename Formats::cos2> cos2_1{"pipe_cos2", "cos2_1", 0, 1};
+  staged<typename Formats::a> a_2{"pipe_a", "a_2", 1, 2};
+  staged<typename Formats::diff> diff_2{"pipe_diff", "diff_2", 1, 2};
+  staged<typename Formats::a_diff> a_diff_3{"pipe_a_diff", "a_diff_3", 2, 3};
+  staged<typename Formats::parabola> parabola_4{"pipe_parabola", "parabola_4", 3, 4};
+
+  /// \param cuts  of a pipelined_device
+  template <class... Cuts>
+  explicit parabola_device(const sc_core::sc_module_name& name, const Cuts&... cuts)
+      : base(name, cuts...), carry28("carry28", 1), carry30("carry30", 0) {
+    auto& cos_early = this->at(cos_1, this->cos_delta);
+    auto& cos_late = this->at(cos_3, cos_early);
     // clang-format off
     carry28.y_o(carry28_in);      carry30.y_o(carry30_in);
     mul7.a_i(this->cos_delta);    mul7.b_i(this->cos_delta);                                   mul7.p_o(cos2);
-    inv8.a_i(this->cos_delta);                                                                 inv8.y_o(cos_inv);
-    add9.a_i(cos2);               add9.b_i(cos_inv);           add9.carry_i(carry28_in);       add9.s_o(cos2_minus_cos);
-    mul10.a_i(a);                 mul10.b_i(cos2_minus_cos);                                   mul10.p_o(a_times_diff);
-    add11.a_i(a_times_diff);      add11.b_i(this->cos_delta);  add11.carry_i(carry30_in);      add11.s_o(parabola);
-    quant11.a_i(parabola);                                                                     quant11.y_o(this->brdf);
+    inv8.a_i(cos_early);                                                                       inv8.y_o(cos_inv);
+    add9.a_i(this->at(cos2_1, cos2));
+                                  add9.b_i(cos_inv);           add9.carry_i(carry28_in);       add9.s_o(cos2_minus_cos);
+    mul10.a_i(this->at(a_2, a));  mul10.b_i(this->at(diff_2, cos2_minus_cos));                 mul10.p_o(a_times_diff);
+    add11.a_i(this->at(a_diff_3, a_times_diff));
+                                  add11.b_i(cos_late);         add11.carry_i(carry30_in);      add11.s_o(parabola);
+    quant11.a_i(this->at(parabola_4, parabola));
+                                                               quant11.y_o(this->before(this->brdf_first, this->brdf));
     // clang-format on
   }
 
   /// The parts list, for readers of the structure.
   auto blocks() const {
     return std::tuple_cat(base::blocks(),
-                          std::tie(carry28, carry30, mul7, inv8, add9, mul10, add11, quant11));
+                          std::tie(carry28, carry30, mul7, inv8, add9, mul10, add11, quant11, cos_1.registers,
+                                   cos_3.registers, cos2_1.registers, a_2.registers, diff_2.registers,
+                                   a_diff_3.registers, parabola_4.registers));
   }
 };
 

@@ -8,6 +8,7 @@
 #include "rtl_sysc/formats.h"
 #include "rtl_sysc/pin.h"
 
+#include <cstddef>
 #include <tuple>
 
 namespace blysk {
@@ -51,6 +52,15 @@ struct channel_of<Formats, T> {
   using type = typename Formats::template channel<T>;
 };
 
+/// Where a pipelined device has registers, the others have a wire; see pipelined_device.
+struct no_stage {
+  const char* pipe_name = "";
+  const char* net_name = "";
+  int from = 0;
+  int to = 0;
+  std::nullptr_t registers = nullptr;
+};
+
 /// What the devices that shade a point have in common: the five registers, the three colour multipliers and the strobes
 /// of [P] fig. 1 and fig. 3, which UA 22802 and [T] fig. 3.1 share.
 ///   (r_o, g_o, b_o) = brdf * (R, G, B) k_s
@@ -70,6 +80,8 @@ struct specular_device : sc_core::sc_module {
   using out = sc_core::sc_out<typename Q::raw_t>;
   template <class Q>
   using net = typename channel_of<Formats, typename Q::raw_t>::type;
+  template <class Q>
+  using staged = no_stage;
   using mul_colour = mul<typename Formats::brdf, colour, typename Formats::out>;
 
   sc_core::sc_in<bool> SC_NAMED(clk);
@@ -105,6 +117,7 @@ struct specular_device : sc_core::sc_module {
   net<colour> SC_NAMED(g_ks);
   net<colour> SC_NAMED(b_ks);
   net<typename Formats::brdf> SC_NAMED(brdf);
+  no_stage brdf_first{};
 
   explicit specular_device(const sc_core::sc_module_name& name)
       : sc_core::sc_module(name),
@@ -125,6 +138,16 @@ struct specular_device : sc_core::sc_module {
     mul_blue.a_i(brdf);     mul_blue.b_i(b_ks);                                               mul_blue.p_o(b_o);
     buf_valid.a_i(cos_we_i);                                                                  buf_valid.y_o(valid_o);
     // clang-format on
+  }
+
+  /// As pipelined_device has them: nets are seen as they are driven.
+  template <class Net>
+  static Net& at(no_stage&, Net& driven) {
+    return driven;
+  }
+  template <class Net>
+  static Net& before(no_stage&, Net& read) {
+    return read;
   }
 
   /// The ports with their numbers in the figure and what they are for.

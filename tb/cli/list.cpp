@@ -50,20 +50,23 @@ json blocks_of(const selection& asked) {
   return blocks;
 }
 
-/// Clock cycles from the one that sees a write's strobe to the one whose strobe confirms its results; null without strobes.
-json latency_of(const std::vector<port>& ports) {
+/// Clock cycles from the one that sees a write's strobe to the one whose strobe confirms its results; with start and valid,
+/// clock edges from the one that takes a row to the one that finds its results; null for scan lines.
+json latency_of(const device& of, const std::vector<port>& ports) {
   const auto confirms = of_role(ports, port::role::valid);
   const auto strobes = of_role(ports, port::role::strobe);
-  if (confirms.empty() || strobes.empty()) return nullptr;
+  if (confirms.empty() || of.draws_lines()) return nullptr;
+  if (protocol_of(ports) == protocol::handshake) return confirms.front().settling_cycles;
   const bool by_trailing_edge =
       std::ranges::any_of(strobes, [](const port& each) { return each.edge == write_edge::trailing; });
   return (by_trailing_edge ? 2 : 1) + confirms.front().settling_cycles;
 }
 
 /// Rows of the measured table, as `explore` names their keys.
-json errors_of(const device& of) {
+json errors_of(const selection& asked) {
   json rows = json::array();
-  for (const worst_errors& each : measured_errors(of.identifier())) {
+  const std::optional<selection> other = asked.of().computes_as(asked);
+  for (const worst_errors& each : measured_errors((other ? other->of() : asked.of()).identifier())) {
     rows.push_back({{"format", each.format},
                     {"domain", "epicentre"},
                     {"max_rel_err", each.epicentre},
@@ -82,12 +85,19 @@ json device_listing(const device& of) {
   const std::vector<port> ports = of.ports(asked);
   json results = columns_of(ports, port::role::result);
   if (of.draws_lines()) results.insert(results.begin(), {"line", "pixel"});
-  return {{"name", of.name()},         {"title", of.title()},
-          {"source", of.source()},     {"figure", of.figure()},
-          {"good_for", of.good_for()}, {"stimulus", columns_of(ports, port::role::data)},
-          {"results", results},        {"blocks", blocks_of(asked)},
-          {"rom_bits", rom_bits},      {"latency_cycles", latency_of(ports)},
-          {"errors", errors_of(of)},   {"options", options_of(of)}};
+  return {{"name", of.name()},
+          {"title", of.title()},
+          {"source", of.source()},
+          {"figure", of.figure()},
+          {"good_for", of.good_for()},
+          {"stimulus", columns_of(ports, port::role::data)},
+          {"results", results},
+          {"blocks", blocks_of(asked)},
+          {"rom_bits", rom_bits},
+          {"latency_cycles", latency_of(of, ports)},
+          {"cycles_per_row", of.draws_lines() ? json(nullptr) : json(of.cycles_per_row(asked))},
+          {"errors", errors_of(asked)},
+          {"options", options_of(of)}};
 }
 
 json listing() {
@@ -128,6 +138,11 @@ std::string number_text(const json& value) {
   return value.is_null() ? "-" : std::to_string(value.get<std::int64_t>());
 }
 
+std::string cycles_text(const json& device) {
+  const json& row = device["cycles_per_row"];
+  return number_text(device["latency_cycles"]) + (row.is_number() && row == 1 ? ", one a cycle" : "");
+}
+
 /// The devices as rows of a table, its head first.
 std::vector<std::vector<std::string>> device_table(const json& listed) {
   std::vector<std::vector<std::string>> rows{{"device", "source", "blocks", "ROM bits", "cycles",
@@ -136,8 +151,8 @@ std::vector<std::vector<std::string>> device_table(const json& listed) {
     rows.push_back({each["name"].get<std::string>(),
                     each["source"].get<std::string>() + ", " + each["figure"].get<std::string>(),
                     std::to_string(each["blocks"].size()), number_text(each["rom_bits"][kTableFormat]),
-                    number_text(each["latency_cycles"]), error_text(each, "epicentre"),
-                    error_text(each, "whole"), each["good_for"].get<std::string>()});
+                    cycles_text(each), error_text(each, "epicentre"), error_text(each, "whole"),
+                    each["good_for"].get<std::string>()});
   }
   return rows;
 }

@@ -67,8 +67,13 @@ std::string mutants_text(const std::string& tables, const selection& asked, cons
 }
 
 std::string proofs_text(const facts& known) {
-  if (known.proved.empty()) return "-";
-  return std::ranges::find(known.proved, "brdf") != known.proved.end() ? "all of it" : "all but the BRDF";
+  const auto has = [&](const char* property) {
+    return std::ranges::find(known.proved, property) != known.proved.end();
+  };
+  return has("wiring")  ? "registers only delay"
+         : has("brdf")  ? "all of it"
+         : has("range") ? "all but the BRDF"
+                        : "-";
 }
 
 std::string line_of(const std::string& tables, const selection& asked, const facts& known,
@@ -99,7 +104,9 @@ constexpr const char* kHead =
     "for bit. The ports that are not enumerated run through their codes alongside. *100 million* are random "
     "inputs of a "
     "test with the label `long`; [long-runs.md](long-runs.md) says whether it ran.\n"
-    "* *Proved*: by SAT against a reference written by hand, see [verilog.md](verilog.md#proofs-yosys-sat).\n"
+    "* *Proved*: by SAT against a reference written by hand, see [verilog.md](verilog.md#proofs-yosys-sat). "
+    "Of a "
+    "pipeline: that its registers only delay, so that its results are those of the device without them.\n"
     "* *Mutants*: faults in the Verilog that no test notices are alive; equivalent ones change no output. "
     "See "
     "[mutation.md](mutation.md).\n"

@@ -5,7 +5,9 @@
 #   reference.v    module `reference` with parameter F, the same ports, written by hand
 #   uncovered.txt  reasons for bits that the regression does not change
 #   tests.cmake    sets, where they differ from what stands here:
-#     family             specular: the proofs of tb/specular/formal and the errors against c^n hold for it
+#     family             specular: the proofs of tb/specular/formal and the errors against c^n hold for it;
+#                        pipelined: a device of tb/specular/pipelined.h
+#     unpiped            of a pipelined one: the device without registers between its blocks
 #     changed_reference  a sed command that spoils the inner result of reference.v, for family specular
 #     protocol           strobes, handshake, or none: nothing is written to it
 #     replayed           rows that Icarus repeats, 3000
@@ -147,6 +149,8 @@ function(blysk_device_tests device)
       if(format STREQUAL q8)
         string(APPEND known " proved brdf")
       endif()
+    elseif(family STREQUAL pipelined AND format IN_LIST blysk_checked_formats)
+      string(APPEND known " proved wiring proved stand proved control")
     endif()
     set_property(GLOBAL APPEND_STRING PROPERTY blysk_known_of_formats "${known}\n")
     if(format IN_LIST exhaustive)
@@ -209,6 +213,8 @@ function(blysk_device_tests device)
 
   if(family STREQUAL specular)
     blysk_specular_tests(${device})
+  elseif(family STREQUAL pipelined)
+    blysk_pipelined_tests(${device})
   endif()
   include(${own}/tables.cmake OPTIONAL)
 endfunction()
@@ -260,6 +266,33 @@ function(blysk_specular_tests device)
     COMMAND gnuplot -c ${specular}/device_errors.gnuplot ${tables}/device_errors.csv
             ${PROJECT_SOURCE_DIR}/docs/figures/device_errors_${identifier}.svg)
   add_dependencies(update_errors update_errors_${identifier})
+endfunction()
+
+# What devices of tb/specular/pipelined.h share: proofs of what their registers do. With the test pipeline.DEVICE, that all
+# inputs of a block belong to one point, they give equality to the other device for every sequence of inputs.
+function(blysk_pipelined_tests device)
+  set(prove ${PROJECT_SOURCE_DIR}/tb/specular/formal/pipelined.sh)
+  foreach(format IN LISTS blysk_checked_formats)
+    blysk_verilog_of(${unpiped} ${format})
+    set(other ${verilog_folder})
+    blysk_verilog_of(${device} ${format})
+    foreach(property wiring stand control)
+      add_test(NAME cosim.${device}.formal.${format}.${property} COMMAND ${prove} ${verilog_folder} ${other} ${property})
+      blysk_label(full cosim.${device}.formal.${format}.${property})
+    endforeach()
+  endforeach()
+  blysk_verilog_of(${unpiped} q8)
+  set(other ${verilog_folder})
+  blysk_verilog_of(${device} q8)
+  set(faults crossed_colours wiring "s/b_i(g_last)/b_i(x)/;s/b_i(b_last)/b_i(g_last)/;s/b_i(x)/b_i(b_last)/" "proof did fail"
+             always_loaded stand "s/else if (go_i)/else/" "selection is not empty"
+             always_ready control "s/ready_o = .*;/ready_o = 1;/" "proof did fail")
+  while(faults)
+    list(POP_FRONT faults name property fault says)
+    add_test(NAME cosim.${device}.formal.${name} COMMAND ${prove} ${verilog_folder} ${other} ${property} ${fault})
+    set_tests_properties(cosim.${device}.formal.${name} PROPERTIES PASS_REGULAR_EXPRESSION "${says}")
+    blysk_label(full cosim.${device}.formal.${name})
+  endwhile()
 endfunction()
 
 # blysk_coverage(NAME DEVICE FORMAT): the program that counts what the regression reaches.

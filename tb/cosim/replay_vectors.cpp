@@ -78,6 +78,7 @@ class replay {
       if (each.is == port::role::strobe)
         connections +=
             fmt::format(", .{}({})", each.name, each.edge == write_edge::trailing ? "trailing" : "level");
+      if (each.is == port::role::control) connections += fmt::format(", .{}(1'b0)", each.name);
       if (each.is == port::role::start || each.is == port::role::ready)
         connections += fmt::format(", .{}({})", each.name, each.is == port::role::start ? "start" : "ready");
       if (!each.is_inner && !each.is_input())

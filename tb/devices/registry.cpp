@@ -44,6 +44,15 @@ std::unique_ptr<netlist::elaborated> device::elaborate(const selection& asked, d
   return visit_format(asked.format(), [&]<class Q>() { return elaborate_in<Q>(asked, clock_period_ns); });
 }
 
+int device::cycles_per_row(const selection& asked) const {
+  int cycles = 1;
+  for (const port& each : ports(asked)) {
+    if (each.is == port::role::valid) cycles += each.settling_cycles;
+    if (each.is == port::role::strobe && each.edge == write_edge::trailing) ++cycles;
+  }
+  return cycles;
+}
+
 std::string device::identifier() const {
   std::string result = name();
   std::ranges::replace(result, '-', '_');

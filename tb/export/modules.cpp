@@ -197,14 +197,15 @@ class writer {
     return name;
   }
 
-  /// The types of blocks and the modules are one to one: a name that another type has got is numbered.
+  /// The types of blocks with their variants and the modules are one to one: a name that another has got is numbered.
   std::string leaf_name(const std::type_info& type, const std::string& wanted) {
-    const auto known = leaf_names_.find(type);
+    const std::pair<std::type_index, std::string> kind(type, wanted);
+    const auto known = leaf_names_.find(kind);
     if (known != leaf_names_.end()) return known->second;
     const std::string base = name_ + "_" + wanted;
     std::string name = base;
     for (int i = 2; result.contains(name + ".v"); ++i) name = fmt::format("{}_{}", base, i);
-    return leaf_names_[type] = name;
+    return leaf_names_[kind] = name;
   }
 
   void add(const std::string& name, const std::string& text) {
@@ -240,7 +241,7 @@ class writer {
   const netlist::parts_list& parts_;
   std::map<const sc_core::sc_module*, std::size_t> place_;
   std::size_t driven_ = 0;
-  std::map<std::type_index, std::string> leaf_names_;
+  std::map<std::pair<std::type_index, std::string>, std::string> leaf_names_;
 };
 
 }  // namespace

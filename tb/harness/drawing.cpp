@@ -120,7 +120,8 @@ class drawing {
     const std::string node = "\"" + name + "\"";
     const std::string base = module.basename();
     const std::size_t digits = base.find_first_of("0123456789");
-    const std::string number = digits == std::string::npos ? "" : base.substr(digits);
+    const bool has_number = digits != std::string::npos && base.find('_') == std::string::npos;
+    const std::string number = has_number ? base.substr(digits) : "";
     const look looks = look_of(part);
     nodes_ +=
         fmt::format("  {} [shape={}, fillcolor=\"{}\", label=<{}{}<br/><font point-size=\"9\">{}</font>>];\n",

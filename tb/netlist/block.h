@@ -79,6 +79,11 @@ class block {
     variant_ = variant;
   }
 
+  /// \param variant  a number that tells instances of one type apart
+  void block_is(const std::string& kind, const std::string& words, int variant) {
+    block_is(kind, words, std::to_string(variant));
+  }
+
   template <class T>
   expression read(const sc_core::sc_in<T>& port) {
     return read(port.basename(), declaration::role::input, shape_of<T>, {});

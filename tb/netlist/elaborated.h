@@ -2,6 +2,7 @@
 /// A device in SystemC between signals of its own: what every reader of its structure starts from.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -36,10 +37,17 @@ class parts_list {
 
  private:
   template <class Block>
+  requires std::is_base_of_v<sc_core::sc_module, Block>
   void add(const Block& part) {
     part.describe(blocks_[&part]);
     modules_.push_back(&part);
   }
+  /// Registers that a pipeline may have.
+  template <class Block>
+  void add(const std::unique_ptr<Block>& part) {
+    if (part) add(*part);
+  }
+  void add(std::nullptr_t) {}
 
   std::map<const sc_core::sc_object*, block> blocks_;
   std::vector<const sc_core::sc_module*> modules_;
@@ -77,8 +85,10 @@ class elaborated {
  public:
   /// \param device           has pins() and blocks() as the devices of rtl_sysc have
   /// \param clock_period_ns  of the clock at its clock port, whose first rising edge is at 0; 0: a plain signal
+  /// \param described        its ports, where they tell more than its type knows
   template <class Device>
-  elaborated(std::unique_ptr<Device> device, double clock_period_ns);
+  elaborated(std::unique_ptr<Device> device, double clock_period_ns,
+             std::vector<port> described = ports_of<Device>());
 
   const sc_core::sc_module& device() const { return *device_; }
   const parts_list& parts() const { return *parts_; }
@@ -149,8 +159,9 @@ class bound_signal final : public bound_port {
 template <class Device>
 class elaborated::binder {
  public:
-  binder(Device& device, double clock_period_ns, std::vector<std::unique_ptr<bound_port>>& ports)
-      : device_(device), clock_period_ns_(clock_period_ns), ports_(ports), described_(ports_of<Device>()) {}
+  binder(Device& device, double clock_period_ns, std::vector<port> described,
+         std::vector<std::unique_ptr<bound_port>>& ports)
+      : device_(device), clock_period_ns_(clock_period_ns), ports_(ports), described_(std::move(described)) {}
 
   template <class Member>
   void clock(Member member, const pin&) {
@@ -238,8 +249,8 @@ class elaborated::binder {
 };
 
 template <class Device>
-elaborated::elaborated(std::unique_ptr<Device> device, double clock_period_ns) {
-  binder<Device> reader(*device, clock_period_ns, ports_);
+elaborated::elaborated(std::unique_ptr<Device> device, double clock_period_ns, std::vector<port> described) {
+  binder<Device> reader(*device, clock_period_ns, std::move(described), ports_);
   Device::pins(reader);
   parts_ = std::make_unique<parts_list>(device->blocks());
   device_ = std::move(device);

@@ -15,9 +15,14 @@ namespace blysk {
 /// logarithm down to 0 at c = 1, where n = 1000 needs it.
 /// Ports, timing and reset are those of specular_device.
 /// \tparam Formats  a power_formats
-template <class Formats>
-struct power : specular_device<Formats> {
-  using base = specular_device<Formats>;
+/// \tparam Base     specular_device, or pipelined_device with these levels: 0 norm, 1 add_f and the memories of the ratio,
+///                  2 mul_ratio, 3 add_ratio, 4 mul_log, 5 add_log, 6 mul_n, 7 the memories of the power, 8 mul_power,
+///                  9 add_power, 10 shift, 11 quant key_brdf, 12 mul12 mul13 mul14
+template <class Formats, class Base = specular_device<Formats>>
+struct power : Base {
+  using base = Base;
+  template <class Q>
+  using staged = typename base::template staged<Q>;
   using ratios = typename Formats::ratios;
   using powers = typename Formats::powers;
   template <class Q>
@@ -59,7 +64,7 @@ struct power : specular_device<Formats> {
   net<carry> SC_NAMED(grounded);
   net<typename Formats::normalised> SC_NAMED(normalised);
   net<typename Formats::zeros> SC_NAMED(zeros);
-  sc_core::sc_signal<bool> SC_NAMED(is_zero);
+  net<single_bit> SC_NAMED(is_zero);
   net<typename Formats::inverted> SC_NAMED(inverted);
   net<typename Formats::distance> SC_NAMED(distance);
   net<typename ratios::index> SC_NAMED(ratio_index);
@@ -84,10 +89,34 @@ struct power : specular_device<Formats> {
   net<typename Formats::power> SC_NAMED(power_of_fraction);
   net<typename Formats::power> SC_NAMED(shifted);
   net<typename Formats::brdf> SC_NAMED(rounded);
-  sc_core::sc_signal<bool> SC_NAMED(is_off);
+  net<single_bit> SC_NAMED(is_off);
 
-  explicit power(const sc_core::sc_module_name& name)
-      : base(name),
+  staged<typename Formats::n> n_6{"pipe_n", "n_6", 0, 6};
+  staged<typename Formats::normalised> normalised_1{"pipe_normalised", "normalised_1", 0, 1};
+  staged<typename Formats::zeros> zeros_5{"pipe_zeros", "zeros_5", 0, 5};
+  staged<single_bit> is_zero_7{"pipe_is_zero", "is_zero_7", 0, 7};
+  staged<typename Formats::distance> distance_4{"pipe_distance", "distance_4", 1, 4};
+  staged<typename ratios::begin> ratio_begin_3{"pipe_ratio_begin", "ratio_begin_3", 1, 3};
+  staged<typename ratios::change> ratio_change_2{"pipe_ratio_change", "ratio_change_2", 1, 2};
+  staged<typename ratios::place> ratio_place_2{"pipe_ratio_place", "ratio_place_2", 1, 2};
+  staged<typename ratios::product> ratio_product_3{"pipe_ratio_product", "ratio_product_3", 2, 3};
+  staged<typename Formats::ratio> ratio_4{"pipe_ratio", "ratio_4", 3, 4};
+  staged<typename Formats::log_fraction> log_fraction_5{"pipe_log_fraction", "log_fraction_5", 4, 5};
+  staged<typename Formats::log> log_6{"pipe_log", "log_6", 5, 6};
+  staged<typename Formats::power_log> power_log_7{"pipe_power_log", "power_log_7", 6, 7};
+  staged<typename Formats::places> places_10{"pipe_places", "places_10", 7, 10};
+  staged<typename powers::begin> power_begin_9{"pipe_power_begin", "power_begin_9", 7, 9};
+  staged<typename powers::change> power_change_8{"pipe_power_change", "power_change_8", 7, 8};
+  staged<typename powers::place> power_place_8{"pipe_power_place", "power_place_8", 7, 8};
+  staged<typename powers::product> power_product_9{"pipe_power_product", "power_product_9", 8, 9};
+  staged<typename Formats::power> power_10{"pipe_power", "power_10", 9, 10};
+  staged<typename Formats::power> shifted_11{"pipe_shifted", "shifted_11", 10, 11};
+  staged<single_bit> is_off_11{"pipe_is_off", "is_off_11", 7, 11};
+
+  /// \param cuts  of a pipelined_device
+  template <class... Cuts>
+  explicit power(const sc_core::sc_module_name& name, const Cuts&... cuts)
+      : base(name, cuts...),
         node2("node2", 2),
         carry_f("carry_f", 1),
         ground("ground", 0),
@@ -96,39 +125,41 @@ struct power : specular_device<Formats> {
         rom_power("rom_power", 0),
         rom_power_change("rom_power_change", 1) {
     static_assert(Formats::no_overflow());
+    auto& mantissa = this->at(normalised_1, normalised);
+    auto& exponent_of_two = this->at(power_log_7, minus_log_power);
     // clang-format off
-    node2.y_o(two);                 carry_f.y_o(carry_one);         ground.y_o(grounded);
-    norm.a_i(this->cos_delta);      norm.m_o(normalised);           norm.zeros_o(zeros);          norm.zero_o(is_zero);
-    inv_f.a_i(normalised);                                                                        inv_f.y_o(inverted);
-    add_f.a_i(two);                 add_f.b_i(inverted);            add_f.carry_i(carry_one);     add_f.s_o(distance);
+    node2.y_o(two);  carry_f.y_o(carry_one);  ground.y_o(grounded);
+    norm.a_i(this->cos_delta);  norm.m_o(normalised);  norm.zeros_o(zeros);  norm.zero_o(is_zero);
+    inv_f.a_i(mantissa);  inv_f.y_o(inverted);
+    add_f.a_i(two);  add_f.b_i(inverted);  add_f.carry_i(carry_one);  add_f.s_o(distance);
 
-    index_ratio.a_i(normalised);                                                                  index_ratio.y_o(ratio_index);
-    place_ratio.a_i(normalised);                                                                  place_ratio.y_o(ratio_place);
-    rom_ratio.a_i(ratio_index);                                                                   rom_ratio.y_o(ratio_begin);
-    rom_ratio_change.a_i(ratio_index);                                                            rom_ratio_change.y_o(ratio_change);
-    mul_ratio.a_i(ratio_change);    mul_ratio.b_i(ratio_place);                                   mul_ratio.p_o(ratio_product);
-    add_ratio.a_i(ratio_begin);     add_ratio.b_i(ratio_product);   add_ratio.carry_i(grounded);  add_ratio.s_o(ratio_line);
-    cut_ratio.a_i(ratio_line);                                                                    cut_ratio.y_o(ratio);
+    index_ratio.a_i(mantissa);  index_ratio.y_o(ratio_index);
+    place_ratio.a_i(mantissa);  place_ratio.y_o(ratio_place);
+    rom_ratio.a_i(ratio_index);  rom_ratio.y_o(ratio_begin);
+    rom_ratio_change.a_i(ratio_index);  rom_ratio_change.y_o(ratio_change);
+    mul_ratio.a_i(this->at(ratio_change_2, ratio_change));  mul_ratio.b_i(this->at(ratio_place_2, ratio_place));  mul_ratio.p_o(ratio_product);
+    add_ratio.a_i(this->at(ratio_begin_3, ratio_begin));  add_ratio.b_i(this->at(ratio_product_3, ratio_product));  add_ratio.carry_i(grounded);  add_ratio.s_o(ratio_line);
+    cut_ratio.a_i(ratio_line);  cut_ratio.y_o(ratio);
 
-    mul_log.a_i(distance);          mul_log.b_i(ratio);                                           mul_log.p_o(log_product);
-    cut_log.a_i(log_product);                                                                     cut_log.y_o(log_fraction);
-    add_log.a_i(zeros);             add_log.b_i(log_fraction);      add_log.carry_i(grounded);    add_log.s_o(minus_log_cos);
-    mul_n.a_i(this->n);             mul_n.b_i(minus_log_cos);                                     mul_n.p_o(minus_log_power);
+    mul_log.a_i(this->at(distance_4, distance));  mul_log.b_i(this->at(ratio_4, ratio));  mul_log.p_o(log_product);
+    cut_log.a_i(log_product);  cut_log.y_o(log_fraction);
+    add_log.a_i(this->at(zeros_5, zeros));  add_log.b_i(this->at(log_fraction_5, log_fraction));  add_log.carry_i(grounded);  add_log.s_o(minus_log_cos);
+    mul_n.a_i(this->at(n_6, this->n));  mul_n.b_i(this->at(log_6, minus_log_cos));  mul_n.p_o(minus_log_power);
 
-    cut_above.a_i(minus_log_power);                                                               cut_above.y_o(above);
-    cut_places.a_i(minus_log_power);                                                              cut_places.y_o(places);
-    index_power.a_i(minus_log_power);                                                             index_power.y_o(power_index);
-    place_power.a_i(minus_log_power);                                                             place_power.y_o(power_place);
-    rom_power.a_i(power_index);                                                                   rom_power.y_o(power_begin);
-    rom_power_change.a_i(power_index);                                                            rom_power_change.y_o(power_change);
-    mul_power.a_i(power_change);    mul_power.b_i(power_place);                                   mul_power.p_o(power_product);
-    add_power.a_i(power_begin);     add_power.b_i(power_product);   add_power.carry_i(grounded);  add_power.s_o(power_line);
-    cut_power.a_i(power_line);                                                                    cut_power.y_o(power_of_fraction);
+    cut_above.a_i(exponent_of_two);  cut_above.y_o(above);
+    cut_places.a_i(exponent_of_two);  cut_places.y_o(places);
+    index_power.a_i(exponent_of_two);  index_power.y_o(power_index);
+    place_power.a_i(exponent_of_two);  place_power.y_o(power_place);
+    rom_power.a_i(power_index);  rom_power.y_o(power_begin);
+    rom_power_change.a_i(power_index);  rom_power_change.y_o(power_change);
+    mul_power.a_i(this->at(power_change_8, power_change));  mul_power.b_i(this->at(power_place_8, power_place));  mul_power.p_o(power_product);
+    add_power.a_i(this->at(power_begin_9, power_begin));  add_power.b_i(this->at(power_product_9, power_product));  add_power.carry_i(grounded);  add_power.s_o(power_line);
+    cut_power.a_i(power_line);  cut_power.y_o(power_of_fraction);
 
-    shift.a_i(power_of_fraction);   shift.places_i(places);                                       shift.y_o(shifted);
-    quant.a_i(shifted);                                                                           quant.y_o(rounded);
-    off.a_i(above);                 off.b_i(is_zero);                                             off.y_o(is_off);
-    key_brdf.a_i(rounded);          key_brdf.off_i(is_off);                                       key_brdf.y_o(this->brdf);
+    shift.a_i(this->at(power_10, power_of_fraction));  shift.places_i(this->at(places_10, places));  shift.y_o(shifted);
+    quant.a_i(this->at(shifted_11, shifted));  quant.y_o(rounded);
+    off.a_i(above);  off.b_i(this->at(is_zero_7, is_zero));  off.y_o(is_off);
+    key_brdf.a_i(rounded);  key_brdf.off_i(this->at(is_off_11, is_off));  key_brdf.y_o(this->before(this->brdf_first, this->brdf));
     // clang-format on
   }
 
@@ -139,7 +170,13 @@ struct power : specular_device<Formats> {
         std::tie(node2, carry_f, ground, norm, inv_f, add_f, index_ratio, place_ratio, rom_ratio,
                  rom_ratio_change, mul_ratio, add_ratio, cut_ratio, mul_log, cut_log, add_log, mul_n,
                  cut_above, cut_places, index_power, place_power, rom_power, rom_power_change, mul_power,
-                 add_power, cut_power, shift, quant, off, key_brdf));
+                 add_power, cut_power, shift, quant, off, key_brdf),
+        std::tie(n_6.registers, normalised_1.registers, zeros_5.registers, is_zero_7.registers,
+                 distance_4.registers, ratio_begin_3.registers, ratio_change_2.registers,
+                 ratio_place_2.registers, ratio_product_3.registers, ratio_4.registers,
+                 log_fraction_5.registers, log_6.registers, power_log_7.registers, places_10.registers,
+                 power_begin_9.registers, power_change_8.registers, power_place_8.registers,
+                 power_product_9.registers, power_10.registers, shifted_11.registers, is_off_11.registers));
   }
 };
 

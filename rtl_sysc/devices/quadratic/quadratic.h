@@ -9,9 +9,10 @@ namespace blysk {
 ///   (r_o, g_o, b_o) = brdf * (R, G, B) k_s,   brdf = a (c^2 - c) + c,   a = slope n + offset
 /// Ports, timing and reset are those of specular_device, the path from a to the outputs is that of parabola_device.
 /// Formats  Formats: a quadratic_formats.
-template <class Formats>
-struct quadratic : parabola_device<Formats> {
-  using base = parabola_device<Formats>;
+/// \tparam Base  of parabola_device
+template <class Formats, class Base = specular_device<Formats>>
+struct quadratic : parabola_device<Formats, Base> {
+  using base = parabola_device<Formats, Base>;
   template <class Q>
   using net = typename base::template net<Q>;
 
@@ -24,18 +25,25 @@ struct quadratic : parabola_device<Formats> {
   net<typename Formats::offset> SC_NAMED(offset);
   net<typename Formats::slope_n> SC_NAMED(slope_n);
 
-  quadratic(const sc_core::sc_module_name& name, const wired_constants& wired)
-      : base(name), node31("node31", wired.slope), node32("node32", wired.offset) {
+  typename base::template staged<typename Formats::slope_n> slope_n_1{"pipe_slope_n", "slope_n_1", 0, 1};
+
+  /// \param cuts  of a pipelined_device
+  template <class... Cuts>
+  quadratic(const sc_core::sc_module_name& name, const wired_constants& wired, const Cuts&... cuts)
+      : base(name, cuts...), node31("node31", wired.slope), node32("node32", wired.offset) {
     static_assert(Formats::no_overflow());
     // clang-format off
     node31.y_o(slope);     node32.y_o(offset);
     mul6.a_i(this->n);     mul6.b_i(slope);                                        mul6.p_o(slope_n);
-    add15.a_i(slope_n);    add15.b_i(offset);    add15.carry_i(this->carry30_in);  add15.s_o(this->a);
+    add15.a_i(this->at(slope_n_1, slope_n));
+                           add15.b_i(offset);    add15.carry_i(this->carry30_in);  add15.s_o(this->a);
     // clang-format on
   }
 
   /// The parts list, for readers of the structure.
-  auto blocks() const { return std::tuple_cat(base::blocks(), std::tie(node31, node32, mul6, add15)); }
+  auto blocks() const {
+    return std::tuple_cat(base::blocks(), std::tie(node31, node32, mul6, add15, slope_n_1.registers));
+  }
 };
 
 }  // namespace blysk

@@ -114,4 +114,8 @@ function(blysk_device_unit_tests device)
   if(family STREQUAL specular)
     blysk_specular_unit_tests(${device})
   endif()
+  if(family STREQUAL pipelined)
+    blysk_cases(pipeline pipelined_cases ${device} FORMATS q8 q24 QUICK q8 q24
+                SOURCES ${PROJECT_SOURCE_DIR}/tb/specular/test/pipelined_test.cpp)
+  endif()
 endfunction()

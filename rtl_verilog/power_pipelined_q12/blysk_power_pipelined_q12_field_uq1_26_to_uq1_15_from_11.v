@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+// Wires: y_o = the bits of a_i from one on, as many as y_o has.
+// device power-pipelined, format q12, 16 lines for the logarithm, 32 for the power of two, 8 stages, cuts 2,3,4,6,7,9,12, exported from the SystemC model.
+`default_nettype none
+
+module blysk_power_pipelined_q12_field_uq1_26_to_uq1_15_from_11 (
+    input  wire [26:0] a_i,  // UQ1.26
+    output wire [15:0] y_o  // UQ1.15
+);
+
+  wire [10:0] unused_a_i_low = a_i[10:0];  // below the last place of the result
+
+  assign y_o = a_i[26:11];
+
+endmodule
+
+`default_nettype wire

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+// OR gate: y_o = one, if b_i or any bit of a_i is.
+// device power-pipelined, format q16, 64 lines for the logarithm, 128 for the power of two, 8 stages, cuts 2,3,4,6,7,9,12, exported from the SystemC model.
+`default_nettype none
+
+module blysk_power_pipelined_q16_either_uq9_0 (
+    input  wire [8:0] a_i,  // UQ9.0
+    input  wire b_i,
+    output wire y_o
+);
+
+  assign y_o = !(a_i == 9'd0) || b_i;
+
+endmodule
+
+`default_nettype wire

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+// Inverter bank: y_o = -a_i - 1 ulp of y_o, the ones' complement.
+// device power-pipelined, format q16, 64 lines for the logarithm, 128 for the power of two, 8 stages, cuts 2,3,4,6,7,9,12, exported from the SystemC model.
+`default_nettype none
+
+module blysk_power_pipelined_q16_inverter_bank_uq2_15_to_sq2_15 (
+    input  wire [16:0] a_i,  // UQ2.15
+    output wire signed [17:0] y_o  // SQ2.15
+);
+
+  assign y_o = ~{1'b0, a_i};
+
+endmodule
+
+`default_nettype wire

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+// Registers of a pipeline: d_i moves on by one while go_i is one.
+// device power-pipelined, format q24, 1024 lines for the logarithm, 2048 for the power of two, 8 stages, cuts 2,3,4,6,7,9,12, exported from the SystemC model.
+`default_nettype none
+
+module blysk_power_pipelined_q24_pipe_uq5_0_3 (
+    input  wire clk,
+    input  wire rst_n,
+    input  wire go_i,
+    input  wire [4:0] d_i,  // UQ5.0
+    output reg  [4:0] q_o  // UQ5.0
+);
+
+  reg  [4:0] held_0;
+  reg  [4:0] held_1;
+
+  always @(posedge clk) begin
+    if (!rst_n) begin
+      held_0 <= 5'd0;
+    end else if (go_i) begin
+      held_0 <= d_i;
+    end
+  end
+  always @(posedge clk) begin
+    if (!rst_n) begin
+      held_1 <= 5'd0;
+    end else if (go_i) begin
+      held_1 <= held_0;
+    end
+  end
+  always @(posedge clk) begin
+    if (!rst_n) begin
+      q_o <= 5'd0;
+    end else if (go_i) begin
+      q_o <= held_1;
+    end
+  end
+
+endmodule
+
+`default_nettype wire

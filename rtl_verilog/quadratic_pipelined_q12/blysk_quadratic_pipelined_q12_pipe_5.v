@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+// Registers of a pipeline: d_i moves on by one while go_i is one.
+// device quadratic-pipelined, format q12, coefficient derived, BRDF clamped to [0, 1], 5 stages, cuts 1,2,3,5, exported from the SystemC model.
+`default_nettype none
+
+module blysk_quadratic_pipelined_q12_pipe_5 (
+    input  wire clk,
+    input  wire rst_n,
+    input  wire go_i,
+    input  wire d_i,
+    output reg  q_o
+);
+
+  reg  held_0;
+  reg  held_1;
+  reg  held_2;
+  reg  held_3;
+
+  always @(posedge clk) begin
+    if (!rst_n) begin
+      held_0 <= 1'd0;
+    end else if (go_i) begin
+      held_0 <= d_i;
+    end
+  end
+  always @(posedge clk) begin
+    if (!rst_n) begin
+      held_1 <= 1'd0;
+    end else if (go_i) begin
+      held_1 <= held_0;
+    end
+  end
+  always @(posedge clk) begin
+    if (!rst_n) begin
+      held_2 <= 1'd0;
+    end else if (go_i) begin
+      held_2 <= held_1;
+    end
+  end
+  always @(posedge clk) begin
+    if (!rst_n) begin
+      held_3 <= 1'd0;
+    end else if (go_i) begin
+      held_3 <= held_2;
+    end
+  end
+  always @(posedge clk) begin
+    if (!rst_n) begin
+      q_o <= 1'd0;
+    end else if (go_i) begin
+      q_o <= held_3;
+    end
+  end
+
+endmodule
+
+`default_nettype wire

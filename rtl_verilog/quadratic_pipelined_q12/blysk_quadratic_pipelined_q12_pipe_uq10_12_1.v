@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// Registers of a pipeline: d_i moves on by one while go_i is one.
+// device quadratic-pipelined, format q12, coefficient derived, BRDF clamped to [0, 1], 5 stages, cuts 1,2,3,5, exported from the SystemC model.
+`default_nettype none
+
+module blysk_quadratic_pipelined_q12_pipe_uq10_12_1 (
+    input  wire clk,
+    input  wire rst_n,
+    input  wire go_i,
+    input  wire [21:0] d_i,  // UQ10.12
+    output reg  [21:0] q_o  // UQ10.12
+);
+
+  always @(posedge clk) begin
+    if (!rst_n) begin
+      q_o <= 22'd0;
+    end else if (go_i) begin
+      q_o <= d_i;
+    end
+  end
+
+endmodule
+
+`default_nettype wire

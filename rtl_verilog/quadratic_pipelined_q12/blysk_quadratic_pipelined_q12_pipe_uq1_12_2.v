@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// Registers of a pipeline: d_i moves on by one while go_i is one.
+// device quadratic-pipelined, format q12, coefficient derived, BRDF clamped to [0, 1], 5 stages, cuts 1,2,3,5, exported from the SystemC model.
+`default_nettype none
+
+module blysk_quadratic_pipelined_q12_pipe_uq1_12_2 (
+    input  wire clk,
+    input  wire rst_n,
+    input  wire go_i,
+    input  wire [12:0] d_i,  // UQ1.12, codes 0..4096
+    output reg  [12:0] q_o  // UQ1.12, codes 0..4096
+);
+
+  reg  [12:0] held_0;
+
+  always @(posedge clk) begin
+    if (!rst_n) begin
+      held_0 <= 13'd0;
+    end else if (go_i) begin
+      held_0 <= d_i;
+    end
+  end
+  always @(posedge clk) begin
+    if (!rst_n) begin
+      q_o <= 13'd0;
+    end else if (go_i) begin
+      q_o <= held_0;
+    end
+  end
+
+endmodule
+
+`default_nettype wire

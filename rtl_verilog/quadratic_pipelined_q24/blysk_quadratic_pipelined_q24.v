@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: Apache-2.0
+// device quadratic-pipelined, format q24, coefficient derived, BRDF clamped to [0, 1], 5 stages, cuts 1,2,3,5, exported from the SystemC model.
+`default_nettype none
+
+module blysk_quadratic_pipelined_q24 (
+    input  wire clk,  // clock
+    input  wire rst_n,  // synchronous, active low
+    input  wire [9:0] n_i,  // 16: n, UQ10.0, codes 1..1000
+    input  wire [24:0] cos_i,  // 18: cos(delta), 0..1, UQ1.24, codes 0..16777216
+    input  wire [7:0] r_i,  // 19: R k_s, UQ8.0
+    input  wire [7:0] g_i,  // 21: G k_s, UQ8.0
+    input  wire [7:0] b_i,  // 23: B k_s, UQ8.0
+    input  wire start_i,  // takes the inputs while ready_o is one
+    input  wire stall_i,  // keeps a result at the outputs
+    output wire ready_o,  // start_i takes the inputs
+    output wire [31:0] r_o,  // 25: red, UQ8.24
+    output wire [31:0] g_o,  // 26: green, UQ8.24
+    output wire [31:0] b_o,  // 27: blue, UQ8.24
+    output wire valid_o  // a result is at the outputs
+);
+
+  wire [9:0] n;  // rg1: UQ10.0, codes 1..1000
+  wire [24:0] cos_delta;  // rg2: UQ1.24, codes 0..16777216
+  wire [7:0] r_ks;  // rg3: UQ8.0
+  wire [7:0] g_ks;  // rg4: UQ8.0
+  wire [7:0] b_ks;  // rg5: UQ8.0
+  wire [7:0] r_last;  // pipe_r: UQ8.0
+  wire [7:0] g_last;  // pipe_g: UQ8.0
+  wire [7:0] b_last;  // pipe_b: UQ8.0
+  wire [24:0] brdf;  // pipe_brdf: UQ1.24, codes 0..16777216
+  wire [24:0] cos_1;  // pipe_cos: UQ1.24, codes 0..16777216
+  wire [24:0] cos_3;  // pipe_cos_late: UQ1.24, codes 0..16777216
+  wire [35:0] cos2_1;  // pipe_cos2: UQ1.35
+  wire [29:0] a_2;  // pipe_a: UQ10.20
+  wire signed [33:0] diff_2;  // pipe_diff: SQ-2.35
+  wire signed [63:0] a_diff_3;  // pipe_a_diff: SQ8.55
+  wire [29:0] slope_n_1;  // pipe_slope_n: UQ10.20
+  wire go;
+  wire take;
+  wire carry28_in;  // carry28: UQ1.0
+  wire carry30_in;  // carry30: UQ1.0
+  wire [35:0] cos2;  // mul7: UQ1.35
+  wire signed [36:0] cos_inv;  // inv8: SQ1.35
+  wire signed [33:0] cos2_minus_cos;  // add9: SQ-2.35
+  wire signed [63:0] a_times_diff;  // mul10: SQ8.55
+  wire signed [63:0] parabola;  // add11: SQ8.55
+  wire [24:0] brdf_first;  // quant11: UQ1.24, codes 0..16777216
+  wire [19:0] slope;  // node31: UQ0.20
+  wire signed [1:0] offset;  // node32: SQ0.1
+  wire [29:0] slope_n;  // mul6: UQ10.20
+  wire [29:0] a;  // add15: UQ10.20
+
+  blysk_quadratic_pipelined_q24_pipe_5 pipe_valid (
+      .clk(clk), .rst_n(rst_n), .go_i(go), .d_i(start_i), .q_o(valid_o)
+  );
+  blysk_quadratic_pipelined_q24_reg_level_uq10_0 rg1 (
+      .clk(clk), .rst_n(rst_n), .d_i(n_i), .we_i(take), .q_o(n)
+  );
+  blysk_quadratic_pipelined_q24_reg_level_uq1_24 rg2 (
+      .clk(clk), .rst_n(rst_n), .d_i(cos_i), .we_i(take), .q_o(cos_delta)
+  );
+  blysk_quadratic_pipelined_q24_reg_level_uq8_0 rg3 (
+      .clk(clk), .rst_n(rst_n), .d_i(r_i), .we_i(take), .q_o(r_ks)
+  );
+  blysk_quadratic_pipelined_q24_reg_level_uq8_0 rg4 (
+      .clk(clk), .rst_n(rst_n), .d_i(g_i), .we_i(take), .q_o(g_ks)
+  );
+  blysk_quadratic_pipelined_q24_reg_level_uq8_0 rg5 (
+      .clk(clk), .rst_n(rst_n), .d_i(b_i), .we_i(take), .q_o(b_ks)
+  );
+  blysk_quadratic_pipelined_q24_pipe_uq8_0_4 pipe_r (
+      .clk(clk), .rst_n(rst_n), .go_i(go), .d_i(r_ks), .q_o(r_last)
+  );
+  blysk_quadratic_pipelined_q24_pipe_uq8_0_4 pipe_g (
+      .clk(clk), .rst_n(rst_n), .go_i(go), .d_i(g_ks), .q_o(g_last)
+  );
+  blysk_quadratic_pipelined_q24_pipe_uq8_0_4 pipe_b (
+      .clk(clk), .rst_n(rst_n), .go_i(go), .d_i(b_ks), .q_o(b_last)
+  );
+  blysk_quadratic_pipelined_q24_pipe_uq1_24_1 pipe_brdf (
+      .clk(clk), .rst_n(rst_n), .go_i(go), .d_i(brdf_first), .q_o(brdf)
+  );
+  blysk_quadratic_pipelined_q24_pipe_uq1_24_1 pipe_cos (
+      .clk(clk), .rst_n(rst_n), .go_i(go), .d_i(cos_delta), .q_o(cos_1)
+  );
+  blysk_quadratic_pipelined_q24_pipe_uq1_24_2 pipe_cos_late (
+      .clk(clk), .rst_n(rst_n), .go_i(go), .d_i(cos_1), .q_o(cos_3)
+  );
+  blysk_quadratic_pipelined_q24_pipe_uq1_35_1 pipe_cos2 (
+      .clk(clk), .rst_n(rst_n), .go_i(go), .d_i(cos2), .q_o(cos2_1)
+  );
+  blysk_quadratic_pipelined_q24_pipe_uq10_20_1 pipe_a (.clk(clk), .rst_n(rst_n), .go_i(go), .d_i(a), .q_o(a_2));
+  blysk_quadratic_pipelined_q24_pipe_sqm2_35_1 pipe_diff (
+      .clk(clk), .rst_n(rst_n), .go_i(go), .d_i(cos2_minus_cos), .q_o(diff_2)
+  );
+  blysk_quadratic_pipelined_q24_pipe_sq8_55_1 pipe_a_diff (
+      .clk(clk), .rst_n(rst_n), .go_i(go), .d_i(a_times_diff), .q_o(a_diff_3)
+  );
+  blysk_quadratic_pipelined_q24_pipe_uq10_20_1 pipe_slope_n (
+      .clk(clk), .rst_n(rst_n), .go_i(go), .d_i(slope_n), .q_o(slope_n_1)
+  );
+  blysk_quadratic_pipelined_q24_pipe_control control (
+      .start_i(start_i), .stall_i(stall_i), .valid_i(valid_o), .go_o(go), .take_o(take), .ready_o(ready_o)
+  );
+  blysk_quadratic_pipelined_q24_mul_uq1_24_uq8_0_to_uq8_24 mul12 (.a_i(brdf), .b_i(r_last), .p_o(r_o));
+  blysk_quadratic_pipelined_q24_mul_uq1_24_uq8_0_to_uq8_24 mul13 (.a_i(brdf), .b_i(g_last), .p_o(g_o));
+  blysk_quadratic_pipelined_q24_mul_uq1_24_uq8_0_to_uq8_24 mul14 (.a_i(brdf), .b_i(b_last), .p_o(b_o));
+  blysk_quadratic_pipelined_q24_constant_uq1_0 #(.RAW(1'd1)) carry28 (.y_o(carry28_in));  // 1
+  blysk_quadratic_pipelined_q24_constant_uq1_0 #(.RAW(1'd0)) carry30 (.y_o(carry30_in));  // 0
+  blysk_quadratic_pipelined_q24_mul_uq1_24_uq1_24_to_uq1_35 mul7 (.a_i(cos_delta), .b_i(cos_delta), .p_o(cos2));
+  blysk_quadratic_pipelined_q24_inverter_bank_uq1_24_to_sq1_35 inv8 (.a_i(cos_1), .y_o(cos_inv));
+  blysk_quadratic_pipelined_q24_add_uq1_35_sq1_35_to_sqm2_35 add9 (
+      .a_i(cos2_1), .b_i(cos_inv), .carry_i(carry28_in), .s_o(cos2_minus_cos)
+  );
+  blysk_quadratic_pipelined_q24_mul_uq10_20_sqm2_35_to_sq8_55 mul10 (
+      .a_i(a_2), .b_i(diff_2), .p_o(a_times_diff)
+  );
+  blysk_quadratic_pipelined_q24_add_sq8_55_uq1_24_to_sq8_55 add11 (
+      .a_i(a_diff_3), .b_i(cos_3), .carry_i(carry30_in), .s_o(parabola)
+  );
+  blysk_quadratic_pipelined_q24_quantise_sq8_55_to_uq1_24_clamp quant11 (.a_i(parabola), .y_o(brdf_first));
+  blysk_quadratic_pipelined_q24_constant_uq0_20 #(.RAW(20'd825165)) node31 (.y_o(slope));  // 0.786939
+  blysk_quadratic_pipelined_q24_constant_sq0_1 #(.RAW(2'd3)) node32 (.y_o(offset));  // -0.5
+  blysk_quadratic_pipelined_q24_mul_uq10_0_uq0_20_to_uq10_20 mul6 (.a_i(n), .b_i(slope), .p_o(slope_n));
+  blysk_quadratic_pipelined_q24_add_uq10_20_sq0_1_to_uq10_20 add15 (
+      .a_i(slope_n_1), .b_i(offset), .carry_i(carry30_in), .s_o(a)
+  );
+
+endmodule
+
+`default_nettype wire
