@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tb/waves_file.h"
 
+#include <algorithm>
+#include <cctype>
 #include <string_view>
 
 #include "tb/run_tool.h"
@@ -12,10 +14,21 @@ namespace {
 
 constexpr const char* kConverter = "vcd2fst";
 
+/// Whether a path ends so, in letters of either case.
+bool has_ending(const std::string& path, std::string_view ending) {
+  return path.size() >= ending.size() &&
+         std::equal(ending.rbegin(), ending.rend(), path.rbegin(), [](char of_ending, char of_path) {
+           return of_ending == std::tolower(static_cast<unsigned char>(of_path));
+         });
+}
+
 const std::string& checked(const std::string& path) {
   for (const std::string_view other : {".lxt", ".lxt2", ".vzt", ".ghw", ".fsdb", ".vpd", ".wlf"}) {
-    if (path.ends_with(other))
+    if (has_ending(path, other))
       throw file_error(path, 0, "names another form of waves, expected .vcd or .fst");
+  }
+  for (const std::string_view packed : {".gz", ".bz2", ".xz", ".zst", ".zip"}) {
+    if (has_ending(path, packed)) throw file_error(path, 0, "names a packed file, expected .vcd or .fst");
   }
   return path;
 }
@@ -24,7 +37,7 @@ const std::string& checked(const std::string& path) {
 
 waves_file::waves_file(const std::string& path) : path_(path), recorded_(checked(path), ".vcd") {
   if (recorded_path().empty()) throw file_error(path, 0, "is no regular file, expected one to write");
-  if (!path.ends_with(".fst")) return;
+  if (!has_ending(path, ".fst")) return;
   if (!is_installed(kConverter))
     throw file_error(path, 0,
                      "is FST, which GTKWave's vcd2fst makes, and that is not installed; expected .vcd");

@@ -12,8 +12,8 @@ namespace blysk {
 /// vcd2fst makes FST of it.
 class waves_file {
  public:
-  /// \throws usage_error if the file cannot be created, its name ends as one of another form of waves does, or it is FST
-  ///         and vcd2fst is not installed
+  /// \throws usage_error if the file cannot be created, its name ends as one of another form of waves or a packed one does,
+  ///         or it is FST and vcd2fst is not installed
   explicit waves_file(const std::string& path);
 
   /// Where an engine writes the VCD, until commit().

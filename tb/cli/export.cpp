@@ -8,6 +8,8 @@
 #include "tb/cli/verbs.h"
 #include "tb/cost/measured.h"
 #include "tb/device_arguments.h"
+#include "tb/export/serial.h"
+#include "tb/netlist/elaborated.h"
 #include "tb/output_file.h"
 
 namespace blysk::cli {
@@ -15,13 +17,23 @@ namespace {
 
 struct options {
   asked_device device;
-  std::string output;
+  std::string output, wrapper;
 };
 
+constexpr const char* kSerial = "serial";
+
 void run(const options& asked) {
-  const selection device = asked.device.choose();
-  write_directory(asked.output, verilog::export_files(device, cost::clock_of(device)));
-  fmt::print("{}: read it with the file list {}.f\n", printable(asked.output), device.top_name());
+  const selection chosen = asked.device.choose();
+  const std::string name = chosen.top_name();
+  const auto device = chosen.of().elaborate(chosen, 0);
+  verilog::files files = verilog::export_files(*device, name, chosen.text(), cost::clock_of(chosen));
+  if (asked.wrapper == kSerial) {
+    files[name + "_serial.v"] = verilog::serial_text(*device, name, chosen.text());
+    files[name + "_serial.pcf"] = verilog::serial_pins(name);
+  }
+  write_directory(asked.output, files);
+  fmt::print("{}: read it with the file list {}.f{}\n", printable(asked.output), name,
+             asked.wrapper.empty() ? "" : fmt::format(" and {}_serial.v", name));
 }
 
 }  // namespace
@@ -33,9 +45,15 @@ void add_export(CLI::App& program) {
   verb->add_option("--output", asked->output,
                    "directory, empty or with the files of an export before; made if it does not exist")
       ->required();
+  verb->add_option(
+          "--wrapper", asked->wrapper,
+          "write NAME_serial.v and .pcf too: the device behind a serial line, for an iCE40 HX8K breakout "
+          "board; a line of blysk vectors goes in and comes back with the outputs")
+      ->check(CLI::IsMember({kSerial}));
   verb->footer(
       "Examples:\n"
       "  blysk export --format q12 --output rtl\n"
+      "  blysk export --format q8 --wrapper serial --output rtl-serial\n"
       "  blysk export --format q8 --as-published --output rtl-published");
   verb->callback([asked] { run(*asked); });
 }

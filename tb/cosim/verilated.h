@@ -65,7 +65,7 @@ class verilated : public Base {
 
   void trace(const std::string& path) override {
     if constexpr (kIsRecorded) {
-      recording_ = std::make_unique<recording>(path, this->comment());
+      recording_ = this->make_recording(path);
       glue_.record(recording_->waves());
       recording_->open();
     } else {
@@ -78,7 +78,7 @@ class verilated : public Base {
       if (!recording_) return true;
       if (recording_->is_empty()) {
         glue_.top.eval();
-        recording_->sample();
+        show();
       }
       const bool is_whole = recording_->close();
       recording_.reset();
@@ -200,7 +200,14 @@ class verilated : public Base {
 
   void show() {
     if constexpr (kIsRecorded) {
-      if (recording_) recording_->sample();
+      if (!recording_) return;
+      levels_.resize(Glue::kPorts);
+      const auto read = [&]<class Wire>(Wire, const auto& member) {
+        levels_[Wire::index] = Wire::read(member);
+      };
+      glue_.inputs(read);
+      glue_.outputs(read);
+      recording_->sample(levels_);
     }
   }
 
@@ -252,6 +259,7 @@ class verilated : public Base {
   std::array<const void*, Glue::kDataColumns> sources_{};
   std::array<void*, Glue::kResultStorage.size()> targets_{};
   std::conditional_t<kIsRecorded, std::unique_ptr<recording>, std::monostate> recording_;
+  std::vector<std::int64_t> levels_;  // of a recorded class
   std::uint64_t cycles_ = 0;
   std::uint64_t writes_ = 0;
 };

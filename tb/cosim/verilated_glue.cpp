@@ -68,6 +68,7 @@ namespace {{
 
 struct glue {{
   static constexpr protocol kProtocol = protocol::{2};
+  static constexpr std::size_t kPorts = {14};
   static constexpr std::size_t kDataColumns = {3};
   static constexpr std::array<storage, {4}> kResultStorage = {{{5}}};
 
@@ -96,7 +97,8 @@ std::unique_ptr<{10}> make_{0}() {{
         what_.has_mutants ? "mutants" : "verilator_engine",
         what_.has_mutants ? "mutants_of<glue>" : "verilated<glue>",
         what_.is_recorded ? "#include <verilated_vcd_c.h>\n" : "",
-        what_.is_recorded ? "  void record(VerilatedVcdC& waves) { top.trace(&waves, 99); }\n" : "");
+        what_.is_recorded ? "  void record(VerilatedVcdC& waves) { top.trace(&waves, 99); }\n" : "",
+        ports_.size());
   }
 
   std::string configuration() const {

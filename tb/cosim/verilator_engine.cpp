@@ -40,7 +40,7 @@ std::unique_ptr<verilator_engine> make_verilator(const selection& asked, waves r
         choose(asked.of().name(), asked.format()).text()));
   }
   auto made = find_entry(recorded == waves::on ? traced_table() : exported_table(), asked, recorded).make();
-  made->set_comment(harness::kWaveComment + harness::arguments_of(asked));
+  made->set_device(asked);
   return made;
 }
 

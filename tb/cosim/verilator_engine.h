@@ -4,22 +4,24 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
-#include <utility>
 
 #include "tb/device.h"
 #include "tb/engine.h"
 
 namespace blysk::cosim {
 
+class recording;
+
 /// A Verilated device. Its run() keeps the protocol of harness::systemc_engine: strobes change with the falling edges of
 /// clk, every write takes two cycles, the results of one are read at the leading edge of the valid port that begins the
 /// next.
 class verilator_engine : public recorded_engine {
  public:
-  /// What the head of a waveform says.
-  void set_comment(std::string text) { comment_ = std::move(text); }
+  /// Which device a waveform is of.
+  void set_device(const selection& asked) { asked_ = asked; }
 
   /// Applies the inputs, lets the device settle and reads the outputs and the inner results.
   /// \param levels  a number for each port, in the order of device::ports()
@@ -28,10 +30,11 @@ class verilator_engine : public recorded_engine {
  protected:
   using recorded_engine::recorded_engine;
 
-  const std::string& comment() const { return comment_; }
+  /// \throws std::bad_optional_access before set_device()
+  std::unique_ptr<recording> make_recording(const std::string& path) const;
 
  private:
-  std::string comment_;
+  std::optional<selection> asked_;
 };
 
 /// Whether waves can be recorded. Verilator keeps every net for them, so such a class is another one.

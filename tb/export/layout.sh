@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # layout.sh LAYOUT_SHOWS DIRECTORY icarus|verilator: each row of the layout beside an export shows a signal of the waves that
-# the simulator writes of it.
+# the simulator writes of it. Values are in the waves of `blysk simulate` alone.
 set -euo pipefail
 layout_shows=$(readlink -f "$1")
 directory=$(readlink -f "$2")
@@ -48,7 +48,8 @@ END
     "$work/made/bench" "$work/waves.vcd"
     ;;
 esac
-"$layout_shows" --all "$work/waves.vcd" "$top.gtkw"
+sed '/^TOP\.values\./d' "$top.gtkw" >"$work/wires.gtkw"
+"$layout_shows" --all "$work/waves.vcd" "$work/wires.gtkw"
 # It notices a row that shows nothing.
-sed 's/\.clk$/.clock/' "$top.gtkw" >"$work/spoilt.gtkw"
+sed 's/\.clk$/.clock/' "$work/wires.gtkw" >"$work/spoilt.gtkw"
 if "$layout_shows" --all "$work/waves.vcd" "$work/spoilt.gtkw"; then echo 'a wrong row is not noticed' >&2 && exit 1; fi

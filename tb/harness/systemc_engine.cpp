@@ -15,6 +15,8 @@
 #include "tb/harness/arguments.h"
 #include "tb/harness/delay_lines.h"
 #include "tb/harness/host.h"
+#include "tb/harness/value_recorder.h"
+#include "tb/wave_values.h"
 
 namespace blysk::harness {
 namespace {
@@ -36,7 +38,7 @@ class engine_of_host : public Interface {
  public:
   engine_of_host(const selection& asked, double period_ns, row_watcher watcher = {})
       : Interface(columns(asked.of().ports(asked), port::role::result).layout()),
-        arguments_(arguments_of(asked)),
+        asked_(asked),
         period_ns_(period_ns),
         device_(asked.of().elaborate(asked, period_ns)),
         host_(make_host(*device_, period_ns, std::move(watcher))) {}
@@ -48,8 +50,10 @@ class engine_of_host : public Interface {
     file_ = sc_core::sc_create_vcd_trace_file(path.substr(0, path.rfind('.')).c_str());
     file_->set_time_unit(1, sc_core::SC_PS);
     if (this->has_deltas()) file_->delta_cycles(true);
-    file_->write_comment(kWaveComment + arguments_);
+    file_->write_comment(kWaveComment + arguments_of(asked_));
     record(*device_, file_);
+    values_ = std::make_unique<value_recorder>(
+        "values", *device_, wave_values(asked_.of().ports(asked_), asked_.of().make_golden(asked_)), file_);
   }
 
   bool stop_trace() override {
@@ -70,10 +74,11 @@ class engine_of_host : public Interface {
   const netlist::elaborated& device() const { return *device_; }
 
  private:
-  std::string arguments_;  // that choose the device, for who reads the waves
+  selection asked_;
   double period_ns_;
   std::unique_ptr<netlist::elaborated> device_;
   std::unique_ptr<host> host_;
+  std::unique_ptr<value_recorder> values_;
   sc_core::sc_trace_file* file_ = nullptr;
   std::string path_;
 };

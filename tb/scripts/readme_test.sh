@@ -25,6 +25,7 @@ while IFS= read -r command; do
   case $command in
     'scripts/test '* | scripts/test | 'cmake '*) continue ;; # what runs this test, and the build
     'scripts/wave '* | scripts/wave) continue ;;             # a viewer
+    'env SYSTEMC_HOME='*) continue ;;                        # build.outside runs it
     'scripts/run '* | scripts/run)
       [ -x "$root/scripts/run" ] || fail 'no scripts/run'
       # what scripts/run starts, in a smaller size
@@ -35,6 +36,16 @@ while IFS= read -r command; do
   count=$((count + 1))
 done < <(sed -n 's/^    \([a-z].*\)/\1/p' "$root/README.md" "$root/docs/scenes.md")
 [ "$count" -ge 5 ] || fail "README.md has $count commands, expected 5"
+
+# What the commands leave in a clone of the tree, git does not name.
+if git -C "$root" rev-parse --is-inside-work-tree >/dev/null 2>&1; then
+  shopt -s dotglob
+  for made in *; do
+    case $made in build | docs | scripts | said | error) continue ;; esac
+    [ ! -d "$made" ] || made+=/
+    git -C "$root" check-ignore -q --no-index "$made" || fail "$made would be a new file of the tree"
+  done
+fi
 
 # Below "Examples:" of a verb's help each line is a command.
 verbs=$(build/bin/blysk --help | sed -n '/^Subcommands:/,/^$/s/^  \([a-z-]*\) .*/\1/p')

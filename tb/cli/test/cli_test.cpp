@@ -690,6 +690,10 @@ TEST_CASE("what cannot be brought to its end is refused, and nothing is left of 
         "in.csv: is given by --points and --results");
   fails("simulate" + in + to("out.csv") + " --engine systemc --vcd " + quoted(folder.path("w.lxt")),
         "w.lxt: names another form of waves, expected .vcd or .fst");
+  fails("simulate" + in + to("out.csv") + " --engine systemc --vcd " + quoted(folder.path("w.GHW")),
+        "w.GHW: names another form of waves, expected .vcd or .fst");
+  fails("simulate" + in + to("out.csv") + " --engine systemc --vcd " + quoted(folder.path("w.vcd.gz")),
+        "w.vcd.gz: names a packed file, expected .vcd or .fst");
   fails("simulate" + in + to("out.csv") + " --engine systemc --vcd " + quoted(folder.path("w.fst")),
         "w.fst: is FST, which GTKWave's vcd2fst makes, and that is not installed; expected .vcd",
         "PATH=/nonexistent; ");

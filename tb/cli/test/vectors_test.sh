@@ -5,6 +5,7 @@
 #   icarus     the exported Verilog of q8 is equal, each of ten faults planted in it is found
 #   verilator  the exported Verilog of q12 is equal under Verilator
 #   python     the model in Python is equal, and with another constant is not
+#   serial     the host of a serial line, with the model in Python at its other end
 set -euo pipefail
 root=$1 blysk=$2 device=$3 case=$4
 folder=$(mktemp -d)
@@ -75,6 +76,33 @@ case $case in
     sed 's/201 \* n/202 * n/' "$examples/vectors_model.py" >wrong.py
     "$blysk" vectors --device "$device" --format q8 | python3 wrong.py >answers.txt
     judged 1 q8
+    ;;
+  serial)
+    command -v python3 >/dev/null || exit 77
+    cat >board.py <<'END'
+# HOST MODEL: a terminal whose far side is the board; the host reads standard input.
+import os, pty, select, subprocess, sys
+board, port = pty.openpty()
+model = subprocess.Popen(["python3", "-u", sys.argv[2]], stdin=subprocess.PIPE, stdout=subprocess.PIPE)
+host = subprocess.Popen(["python3", sys.argv[1], os.ttyname(port)])
+waiting = b""
+while host.poll() is None:
+    ready, _, _ = select.select([board], [], [], 0.1)
+    if not ready:
+        continue
+    waiting += os.read(board, 256)
+    while b"\n" in waiting:
+        line, waiting = waiting.split(b"\n", 1)
+        model.stdin.write(line + b"\n")
+        model.stdin.flush()
+        os.write(board, model.stdout.readline())
+sys.exit(host.wait())
+END
+    "$blysk" vectors --device "$device" --format q8 --output all
+    sed -n '1~97p' all | sed '1s/.*/# some vectors/' >vectors.txt
+    timeout 100 python3 board.py "$examples/serial_host.py" "$examples/vectors_model.py" <vectors.txt >answers.txt
+    [ "$(wc -l <answers.txt)" = "$(wc -l <vectors.txt)" ] || fail 'answers are missing'
+    judged 0 q8
     ;;
   *) fail "no case $case" ;;
 esac
