@@ -244,11 +244,11 @@ bool receive(pipe_reader& in, mesh& made, std::vector<std::string>& messages, st
 }  // namespace
 
 mesh read_by_library(const std::string& path, std::vector<std::string>& messages) {
-  if (access(path.c_str(), R_OK) != 0) throw file_error(path, 0, "cannot be read" + system_reason());
+  if (access(path.c_str(), R_OK) != 0) throw file_error(path, 0, "cannot be read (" + system_reason() + ")");
   std::array<int, 2> ends{};
-  if (pipe(ends.data()) != 0) throw file_error(path, 0, "cannot be read" + system_reason());
+  if (pipe(ends.data()) != 0) throw file_error(path, 0, "cannot be read (" + system_reason() + ")");
   const pid_t child = fork();
-  if (child < 0) throw file_error(path, 0, "cannot be read" + system_reason());
+  if (child < 0) throw file_error(path, 0, "cannot be read (" + system_reason() + ")");
   if (child == 0) {
     close(ends[0]);
     serve(path, ends[1]);

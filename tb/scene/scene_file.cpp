@@ -58,7 +58,10 @@ class field {
   }
   std::string text() const {
     if (!value_.is_string()) fail(fmt::format("is {}, expected a string", value_.type_name()));
-    return value_.get<std::string>();
+    std::string text = value_.get<std::string>();
+    // The system would take what stands before it for the whole name.
+    if (text.find('\0') != std::string::npos) fail("holds a zero byte, expected text");
+    return text;
   }
 
   std::array<double, 3> triple(double least, double most) const {

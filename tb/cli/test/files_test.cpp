@@ -312,6 +312,10 @@ TEST_CASE("what comes from outside is shown as one line of printable UTF-8", "[c
       {"\xC0\xAF", "\\xC0\\xAF"},                    // overlong
       {"\xF4\x90\x80\x80", "\\xF4\\x90\\x80\\x80"},  // above 10FFFF
       {"\xF3\xA0\x80\xA0", "\\U000E0020"},           // tag
+      {"\xF3\xA0\x84\x80", "\\U000E0100"},           // selector of variants
+      {"\xC2\xAD", "\\u00AD"},                       // soft hyphen
+      {"\xE1\xA0\x8E", "\\u180E"},                   // not shown, once a blank
+      {"\xE3\x85\xA4", "\\u3164"},                   // filler, shown as a blank
       {"\xD1\x89\xE2\x82\xAC\xF0\x9F\x92\xA1", "\xD1\x89\xE2\x82\xAC\xF0\x9F\x92\xA1"},
       {std::string(50, '\x9B'), "\\x9B\\x9B..."},
   }));

@@ -237,6 +237,8 @@ TEST_CASE("a bad scene is one line that names file and line", "[cli][render]") {
   refuses_text("a.json", R"({"mesh": "a.json"})", ": mesh: is a scene, expected a mesh");
   refuses_text("a.json", R"({"mesh": "sphere", "camera": {"eye": [0, 0, 0], "target": [0, 0, 0]}})",
                ": camera: eye and target are one place, expected two");
+  refuses_text("a.json", R"({"mesh": "sphere\u0000.obj"})", ": mesh: holds a zero byte, expected text");
+  refuses_text("a.json", R"({"x\u0000y": 1})", R"(: the file: has 'x\x00y', expected mesh)");
   refuses_text("a.ply", "ply\nformat ascii 1.0\n", ": ");
   refuses_text("a.3ds", "nothing", ": ");
   folder.write("a.mtl", "newmtl a\nNs nan\n");
