@@ -76,7 +76,8 @@ class field {
   }
   vec direction() const {
     const vec at = place();
-    if (golden::dot(at, at) == 0) fail("is zero, expected a direction");
+    const vec unit = golden::normalised(at);  // the square of at may vanish where its direction does not
+    if (golden::dot(unit, unit) == 0) fail("is zero, expected a direction");
     return at;
   }
 

@@ -166,6 +166,23 @@ TEST_CASE("a scene file gives what the command line does not", "[cli][render]") 
   CHECK(report["shading"] == "phong");
 }
 
+TEST_CASE("a direction is one however short", "[cli][render]") {
+  const scratch folder;
+  const auto made = [&](const std::string& arguments) {
+    const outcome done = run_blysk(folder, "render --size 16x16 --output - " + arguments);
+    CAPTURE(arguments, done.err);
+    REQUIRE(done.status == 0);
+    return done.out;
+  };
+  const std::string expected = made("sphere --light 1,0,2");
+  CHECK(made("sphere --light 1e-200,0,2e-200") == expected);
+  for (const std::string scale : {"", "e-200"}) {
+    folder.write("a.json",
+                 R"({"mesh": "sphere", "lights": [{"direction": [1)" + scale + ", 0, 2" + scale + "]}]}");
+    CHECK(made(in(folder, "a.json")) == expected);
+  }
+}
+
 TEST_CASE("bad use is one line, and no file is written", "[cli][render]") {
   const scratch folder;
   const std::vector<std::pair<std::string, std::string>> cases{
@@ -181,6 +198,7 @@ TEST_CASE("bad use is one line, and no file is written", "[cli][render]") {
       {"sphere --effects some", "--effects"},
       {"sphere --light 1,2", "--light is '1,2', expected X,Y,Z"},
       {"sphere --light 0,0,0", "--light is 0,0,0, expected a direction"},
+      {"sphere --fov nan", "--fov is nan, expected a number in [0.001, 179]"},
       {"sphere --light nan,0,0", "expected at most"},
       {"sphere --light 1,1,1,2,0,0", "expected R,G,B, each in [0, 1]"},
       {"sphere --ambient 1,1", "--ambient is '1,1', expected R,G,B"},
