@@ -153,6 +153,8 @@ json parsed(const std::string& path, const std::string& text) {
     const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
     const auto line = static_cast<std::size_t>(1 + std::count(text.begin(), end, '\n'));
     throw file_error(path, line, "is no JSON here, expected a scene as docs/scenes.md has it");
+  } catch (const json::out_of_range&) {
+    throw file_error(path, 0, "has a number beyond 1.8e308, expected a scene as docs/scenes.md has it");
   }
 }
 

@@ -238,6 +238,7 @@ TEST_CASE("a bad scene is one line that names file and line", "[cli][render]") {
   refuses_text("a.obj", std::string("v 0 0 1\n\0\n", 10), ":2: holds a zero byte, expected text");
   refuses_text("a.json", "{", ":1: is no JSON here, expected a scene");
   refuses_text("a.json", "{\n\"mesh\": \"sphere\",\n\"x\": }", ":3: is no JSON here");
+  refuses_text("a.json", R"({"mesh": 1e999})", ": has a number beyond 1.8e308, expected a scene");
   refuses_text("a.json", "[]", ": the file: is array, expected an object");
   refuses_text("a.json", R"({"lights": []})", ": the file: has no mesh, expected its name");
   refuses_text("a.json", R"({"mesh": "sphere", "lamps": []})",
