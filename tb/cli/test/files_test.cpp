@@ -349,7 +349,10 @@ TEST_CASE("a file's name may be several lines, its message is one", "[cli][files
   CHECK(std::count(done.out.begin(), done.out.end(), '\n') == 1);
   const std::string utf16 = folder.write("in.csv", std::string("\xFF\xFEn\0,\0", 6));
   check_message(run_blysk(folder, "simulate --results - --stimulus " + quoted(utf16)).err,
-                "in.csv:1: header is '\\xFF\\xFEn\\x00,\\x00', expected n,cos,r,g,b");
+                "in.csv:1: is UTF-16, expected text in UTF-8");
+  folder.write("in.csv", std::string("n\0,\0", 4));  // without its byte order mark
+  check_message(run_blysk(folder, "simulate --results - --stimulus " + quoted(utf16)).err,
+                "in.csv:1: header is 'n\\x00,\\x00', expected n,cos,r,g,b");
 }
 
 }  // namespace
