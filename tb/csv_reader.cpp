@@ -23,6 +23,13 @@ bool is_comment(std::string_view trimmed) {
   return trimmed.starts_with('#');
 }
 
+/// "sep=;", which spreadsheets read as a note of what separates columns; the header says it anyway.
+bool is_note_of_separator(std::string_view line) {
+  if (line.size() > 1 && line.front() == '"' && line.back() == '"') line = line.substr(1, line.size() - 2);
+  constexpr std::string_view kNote = "sep=";
+  return line.starts_with(kNote) && line.size() <= kNote.size() + 1;  // a tab was trimmed
+}
+
 /// A quoted field, from its quote to the one that ends it.
 struct quoted_field {
   std::string_view inside;
@@ -73,7 +80,9 @@ void csv_reader::read_header(std::string_view header) {
   bool is_found = false;
   while (lines_.next()) {
     const std::string_view line = trim(text());
-    if (line.empty()) continue;
+    if (lines_.number() == 1 && (line.starts_with("\xFF\xFE") || line.starts_with("\xFE\xFF")))
+      throw error("is UTF-16, expected text in UTF-8");
+    if (line.empty() || (lines_.number() == 1 && is_note_of_separator(line))) continue;
     if (is_comment(line)) {
       is_found =
           find_columns(trim(line.substr(std::min(line.find_first_not_of('#'), line.size())))) || is_found;

@@ -15,7 +15,7 @@ namespace blysk {
 /// CSV with a header, read line by line in constant memory.
 ///
 /// The header has to name the wanted columns, each once, in any order; other columns are passed over. It may follow lines
-/// of comment, and stand behind a `#` itself. Columns are separated as the header separates them: by commas,
+/// of comment and a first line "sep=;", and stand behind a `#` itself. Columns are separated as the header separates them: by commas,
 /// semicolons, tabs or blanks. Fields may be quoted, "" being a quote. Empty fields beyond the header's are none.
 /// Passed over are a byte order mark, blanks around fields, CR before LF, lines without a field that is not empty, and
 /// lines that begin with #.

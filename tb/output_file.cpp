@@ -4,6 +4,7 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/stat.h>
+#include <sys/syscall.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -12,8 +13,11 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdint>
+#include <cstring>
 #include <random>
 #include <utility>
+
+#include "tb/run_tool.h"
 
 namespace blysk {
 namespace {
@@ -32,30 +36,86 @@ std::size_t count_lines(std::string_view text) {
   return lines;
 }
 
-/// What a signal that ends the program has to remove: temporary files, and folders if they are empty.
+class descriptor {
+ public:
+  descriptor() = default;
+  explicit descriptor(int number) : number_(number) {}
+  ~descriptor() { reset(); }
+  descriptor(const descriptor&) = delete;
+  descriptor& operator=(const descriptor&) = delete;
+
+  void reset(int number = -1) {
+    if (number_ != -1) ::close(number_);
+    number_ = number;
+  }
+  int release() { return std::exchange(number_, -1); }
+  int number() const { return number_; }
+
+ private:
+  int number_ = -1;
+};
+
+/// Removes the files in an open folder that is this process's own, those of the tools that wrote there too. Handlers of
+/// signals call it, so it asks the kernel itself.
+void empty_folder(int folder) noexcept {
+  constexpr std::size_t kNameOffset = 19;  // of linux_dirent64: number, offset, size, kind
+  constexpr std::size_t kSizeOffset = 16;
+  alignas(8) std::array<char, 4096> entries{};
+  if (lseek(folder, 0, SEEK_SET) != 0) return;
+  for (;;) {
+    const long size = syscall(SYS_getdents64, folder, entries.data(), entries.size());
+    if (size <= 0) return;
+    for (std::size_t at = 0; at < static_cast<std::size_t>(size);) {
+      std::uint16_t step = 0;
+      std::memcpy(&step, entries.data() + at + kSizeOffset, sizeof step);
+      unlinkat(folder, entries.data() + at + kNameOffset, 0);  // fails for "." and ".."
+      at += step;
+    }
+  }
+}
+
+/// What a signal that ends the program has to remove: temporary files, folders of such files with all that is in them,
+/// and other folders if they are empty.
 class unfinished_files {
  public:
   /// \param path  stays where it is until remove()
-  static void add(const char* path) {
+  static void add(const char* path) { add(paths_, path); }
+  static void remove(const char* path) { remove(paths_, path); }
+
+  /// The same for an open folder that nobody else writes into.
+  static void add(const descriptor* folder) { add(private_folders_, folder); }
+  static void remove(const descriptor* folder) { remove(private_folders_, folder); }
+
+ private:
+  template <class T>
+  using places = std::array<std::atomic<const T*>, 1024>;  // an export has most, some forty files
+  static_assert(std::atomic<const char*>::is_always_lock_free);
+
+  template <class T>
+  static void add(places<T>& to, const T* what) {
     static const bool handles_signals = handle_signals();
     static_cast<void>(handles_signals);
-    for (auto& place : paths_) {
-      const char* nothing = nullptr;
-      if (place.compare_exchange_strong(nothing, path)) return;
+    for (auto& place : to) {
+      const T* nothing = nullptr;
+      if (place.compare_exchange_strong(nothing, what)) return;
     }
   }
 
-  static void remove(const char* path) {
-    for (auto& place : paths_) {
-      const char* expected = path;
+  template <class T>
+  static void remove(places<T>& from, const T* what) {
+    for (auto& place : from) {
+      const T* expected = what;
       if (place.compare_exchange_strong(expected, nullptr)) return;
     }
   }
 
- private:
   static bool handle_signals() {
     struct sigaction ending {};
     ending.sa_handler = [](int signal) {
+      end_running_tool();
+      for (const auto& place : private_folders_) {
+        if (const descriptor* const folder = place.load()) empty_folder(folder->number());
+      }
       for (const auto& place : paths_) {
         if (const char* const path = place.load()) unlink(path);  // no folder
       }
@@ -76,9 +136,8 @@ class unfinished_files {
     return true;
   }
 
-  // Sphere writes most: a picture for each exponent and three files more.
-  static inline std::array<std::atomic<const char*>, 1024> paths_{};
-  static_assert(std::atomic<const char*>::is_always_lock_free);
+  static inline places<char> paths_{};
+  static inline places<descriptor> private_folders_{};
 };
 
 /// No signal comes to this thread between the making of a file and its registration.
@@ -95,25 +154,6 @@ class signals_wait {
 
  private:
   sigset_t before_{};
-};
-
-class descriptor {
- public:
-  descriptor() = default;
-  explicit descriptor(int number) : number_(number) {}
-  ~descriptor() { reset(); }
-  descriptor(const descriptor&) = delete;
-  descriptor& operator=(const descriptor&) = delete;
-
-  void reset(int number = -1) {
-    if (number_ != -1) ::close(number_);
-    number_ = number;
-  }
-  int release() { return std::exchange(number_, -1); }
-  int number() const { return number_; }
-
- private:
-  int number_ = -1;
 };
 
 /// Calls make(name) with new names "FOLDER/BASE.RANDOM ENDING", BASE cut where a name would be too long for the folder,
@@ -221,6 +261,8 @@ class output_file::temporary_file {
         errno = EPERM;
         return;
       }
+      is_private_ = true;
+      unfinished_files::add(&opened_);
       const std::string name = "unfinished" + std::string(ending);
       file_.reset(openat(opened_.number(), name.c_str(), kNew, mode));
       if (file_.number() != -1) path_ = folder_ + "/" + name;
@@ -235,6 +277,10 @@ class output_file::temporary_file {
     const signals_wait wait;
     if (!path_.empty() && !moved_) unlink(reachable().c_str());
     if (!path_.empty()) unfinished_files::remove(path_.c_str());
+    if (is_private_) {
+      empty_folder(opened_.number());
+      unfinished_files::remove(&opened_);
+    }
     if (!folder_.empty()) {
       rmdir(folder_.c_str());
       unfinished_files::remove(folder_.c_str());
@@ -261,6 +307,7 @@ class output_file::temporary_file {
  private:
   std::string path_, folder_, by_number_;
   descriptor opened_, file_;
+  bool is_private_ = false;  // opened_ is this process's own, with all that is in it
   bool moved_ = false;
 };
 

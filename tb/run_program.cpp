@@ -9,10 +9,12 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
+#include <ctime>
 #include <exception>
 #include <iostream>
 #include <new>
 #include <string>
+#include <system_error>
 
 #include "tb/usage_error.h"
 
@@ -28,13 +30,30 @@ void hold_standard_files() {
   }
 }
 
-/// The hard limit of processor time kills without a signal that can be handled; the soft one comes a second before.
+/// SIGXCPU when the process has used that much processor time.
+void end_after(long milliseconds) {
+  sigevent event{};
+  event.sigev_notify = SIGEV_SIGNAL;
+  event.sigev_signo = SIGXCPU;
+  timer_t timer{};
+  if (timer_create(CLOCK_PROCESS_CPUTIME_ID, &event, &timer) != 0) return;
+  itimerspec time{};
+  time.it_value.tv_nsec = milliseconds * 1'000'000;
+  timer_settime(timer, TIMER_ABSTIME, &time, nullptr);
+}
+
+/// The hard limit of processor time kills without a signal that can be handled; the soft one comes a second before. One
+/// second is the smallest soft limit: under a hard one of as much, a timer comes first.
 void soften_processor_time() {
   rlimit limit{};
   if (getrlimit(RLIMIT_CPU, &limit) != 0) return;
-  if (limit.rlim_max == RLIM_INFINITY || limit.rlim_max < 2 || limit.rlim_cur < limit.rlim_max) return;
-  limit.rlim_cur = limit.rlim_max - 1;
-  setrlimit(RLIMIT_CPU, &limit);
+  if (limit.rlim_max == RLIM_INFINITY || limit.rlim_cur < limit.rlim_max) return;
+  if (limit.rlim_max < 2) {
+    end_after(800);
+  } else {
+    limit.rlim_cur = limit.rlim_max - 1;
+    setrlimit(RLIMIT_CPU, &limit);
+  }
 }
 
 void finish_standard_output() {
@@ -66,6 +85,12 @@ int run_program(std::string_view name, const std::function<int()>& body) noexcep
     return status;
   } catch (const std::bad_alloc&) {
     say(name, "out of memory");
+  } catch (const std::system_error& error) {
+    // fmt::print does not say which file it could not write.
+    if (std::ferror(stdout) != 0)
+      say(name, "standard output: cannot be written (" + error.code().message() + ")");
+    else
+      say(name, error.what());
   } catch (const std::exception& error) {
     say(name, error.what());
   } catch (...) {

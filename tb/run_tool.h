@@ -15,6 +15,9 @@ bool is_installed(const std::string& program);
 /// \return  whether it ended with exit status 0
 bool runs_well(std::vector<std::string> words);
 
+/// Ends the program that runs_well() waits for, if there is one. For handlers of signals: calls only what they may.
+void end_running_tool() noexcept;
+
 /// A path of this process as another process reaches it: "/proc/self" is this one.
 std::string seen_by_others(const std::string& path);
 

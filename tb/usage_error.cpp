@@ -39,15 +39,26 @@ bool is_printable(char32_t code) {
   struct range {
     char32_t first, last;
   };
-  constexpr std::array<range, 9> hidden{{{0x00, 0x1F},          // C0
-                                         {0x7F, 0x9F},          // DEL, C1
-                                         {0x061C, 0x061C},      // Arabic letter mark
-                                         {0x200B, 0x200F},      // of no width; marks of direction
-                                         {0x2028, 0x202E},      // separators of lines; embedding, override
-                                         {0x2060, 0x206F},      // word joiner; isolates
-                                         {0xFEFF, 0xFEFF},      // byte order mark
-                                         {0xFFF9, 0xFFFB},      // interlinear annotation
-                                         {0xE0000, 0xE007F}}};  // tags
+  // Controls and separators, what Unicode's property Default_Ignorable_Code_Point holds, and annotations.
+  constexpr std::array<range, 19> hidden{{{0x00, 0x1F},          // C0
+                                          {0x7F, 0x9F},          // DEL, C1
+                                          {0x00AD, 0x00AD},      // soft hyphen
+                                          {0x034F, 0x034F},      // joiner of graphemes
+                                          {0x061C, 0x061C},      // Arabic letter mark
+                                          {0x115F, 0x1160},      // Hangul fillers
+                                          {0x17B4, 0x17B5},      // Khmer vowels that are not shown
+                                          {0x180B, 0x180F},      // Mongolian selectors and separator
+                                          {0x200B, 0x200F},      // of no width; marks of direction
+                                          {0x2028, 0x202E},      // separators of lines; embedding, override
+                                          {0x2060, 0x206F},      // word joiner; isolates
+                                          {0x3164, 0x3164},      // Hangul filler
+                                          {0xFE00, 0xFE0F},      // variation selectors
+                                          {0xFEFF, 0xFEFF},      // byte order mark
+                                          {0xFFA0, 0xFFA0},      // Hangul filler of half width
+                                          {0xFFF0, 0xFFFB},      // unassigned; interlinear annotation
+                                          {0x1BCA0, 0x1BCA3},    // controls of shorthand
+                                          {0x1D173, 0x1D17A},    // controls of music
+                                          {0xE0000, 0xE0FFF}}};  // tags, selectors
   return std::none_of(hidden.begin(), hidden.end(),
                       [code](const range& r) { return code >= r.first && code <= r.last; });
 }

@@ -9,10 +9,15 @@
 
 namespace blysk {
 
+/// The text as one line of printable UTF-8. Escaped are control characters, what separates lines, what changes the
+/// direction of writing or cannot be seen, and bytes that are no UTF-8: \x1B for a byte, \u202E for a character.
+std::string printable(std::string_view text);
+
 /// Bad use or bad input: the program prints "NAME: what()" and exits with status 2.
 class usage_error : public std::runtime_error {
  public:
-  using std::runtime_error::runtime_error;
+  /// \param what  made printable: a zero byte in it would end what()
+  explicit usage_error(std::string_view what) : std::runtime_error(printable(what)) {}
 };
 
 /// "FILE:LINE: what is wrong, what was expected"; "FILE: ..." if the line is 0, for the file as a whole.
@@ -20,9 +25,5 @@ usage_error file_error(const std::string& path, std::size_t line, std::string_vi
 
 /// What the operating system says of the current errno, for the end of a message.
 std::string system_reason();
-
-/// The text as one line of printable UTF-8. Escaped are control characters, what separates lines, what changes the
-/// direction of writing or cannot be seen, and bytes that are no UTF-8: \x1B for a byte, \u202E for a character.
-std::string printable(std::string_view text);
 
 }  // namespace blysk

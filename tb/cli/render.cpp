@@ -6,6 +6,7 @@
 #include <array>
 #include <charconv>
 #include <chrono>
+#include <cmath>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -104,7 +105,8 @@ scene::light light_of(const std::string& text) {
   const std::size_t split = numbers.find(',', numbers.find(',', numbers.find(',') + 1) + 1);
   made.at = place_of("--light", numbers.substr(0, split));
   if (values.size() == 6) made.colour = colour_of("--light", numbers.substr(split + 1));
-  if (!made.is_point && golden::dot(made.at, made.at) == 0)
+  const scene::vec towards = golden::normalised(made.at);
+  if (!made.is_point && golden::dot(towards, towards) == 0)
     throw usage_error("--light is 0,0,0, expected a direction");
   return made;
 }
@@ -120,6 +122,8 @@ void apply(const options& asked, scene::world& to) {
   if (asked.exponent > 0) {
     for (scene::material& each : to.surface.materials) each.n = asked.exponent;
   }
+  // CLI::Range takes NaN, which is on no wrong side of a bound.
+  if (std::isnan(asked.fov_deg)) throw usage_error("--fov is nan, expected a number in [0.001, 179]");
   if (!asked.eye.empty() || !asked.target.empty() || asked.fov_deg > 0) {
     if (!to.view) to.view = scene::fitted_camera(to.surface);
     if (!asked.eye.empty()) to.view->eye = place_of("--eye", asked.eye);

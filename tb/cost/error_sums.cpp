@@ -24,6 +24,12 @@ struct range_peaks {
   lanes abs{}, relative{}, step{};
 };
 
+/// To nearest, ties up; x + 0.5 would round up what is just below a tie.
+[[gnu::always_inline]] inline double nearest(double x) {
+  const double whole = std::floor(x);
+  return whole + (x - whole >= 0.5 ? 1.0 : 0.0);
+}
+
 /// A point into its lane.
 [[gnu::always_inline]] inline void add_point(const point_block& block, double ulp, double ulps, std::size_t i,
                                              std::size_t lane, error_sums& sums, range_peaks& peaks) {
@@ -36,7 +42,7 @@ struct range_peaks {
   sums.square[lane] += error * error;
   sums.energy[lane] += exact * exact;
   peaks.abs[lane] = size > peaks.abs[lane] ? size : peaks.abs[lane];
-  const double off = std::fabs(device - std::floor(exact * ulps + 0.5));
+  const double off = std::fabs(device - nearest(exact * ulps));
   for (std::size_t k = 0; k < sums.ulps.size(); ++k)
     sums.ulps[k][lane] += off == static_cast<double>(k) ? 1.0 : 0.0;
   const bool counts = exact * ulps >= 0.5;
@@ -44,7 +50,7 @@ struct range_peaks {
   sums.relative[lane] += relative;
   sums.relative_points[lane] += counts ? 1.0 : 0.0;
   peaks.relative[lane] = relative > peaks.relative[lane] ? relative : peaks.relative[lane];
-  const double step = std::fabs(std::floor(device * ulp * 255 + 0.5) - std::floor(exact * 255 + 0.5));
+  const double step = std::fabs(nearest(device * ulp * 255) - nearest(exact * 255));
   peaks.step[lane] = step > peaks.step[lane] ? step : peaks.step[lane];
 }
 

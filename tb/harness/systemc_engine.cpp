@@ -4,8 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
 #include <cstdlib>
+#include <cstring>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
@@ -42,7 +44,9 @@ class engine_of_host : public Interface {
         period_ns_(period_ns),
         device_(asked.of().elaborate(asked, period_ns)),
         host_(make_host(*device_, period_ns, std::move(watcher))) {}
-  ~engine_of_host() override { engine_of_host::stop_trace(); }
+  ~engine_of_host() override {
+    if (file_ != nullptr) sc_core::sc_close_vcd_trace_file(file_);
+  }
 
   void trace(const std::string& path) override {
     path_ = path;
@@ -50,7 +54,12 @@ class engine_of_host : public Interface {
     file_ = sc_core::sc_create_vcd_trace_file(path.substr(0, path.rfind('.')).c_str());
     file_->set_time_unit(1, sc_core::SC_PS);
     if (this->has_deltas()) file_->delta_cycles(true);
-    file_->write_comment(kWaveComment + arguments_of(asked_));
+    try {
+      file_->write_comment(kWaveComment + arguments_of(asked_));  // opens it
+    } catch (const sc_core::sc_report&) {
+      throw std::runtime_error(
+          fmt::format("the file of the waves cannot be opened ({})", std::strerror(errno)));
+    }
     record(*device_, file_);
     values_ = std::make_unique<value_recorder>(
         "values", *device_, wave_values(asked_.of().ports(asked_), asked_.of().make_golden(asked_)), file_);

@@ -216,7 +216,7 @@ class frame {
         pixel[channel] = mixed(of, channel);
         double real = 0;
         for (std::size_t k = 0; k < of.count; ++k) real += of.weight[k] * double{real_[of.point[k]][channel]};
-        judged[channel] = static_cast<std::uint8_t>(std::floor(std::clamp(real, 0.0, 255.0) + 0.5));
+        judged[channel] = static_cast<std::uint8_t>(std::lround(std::clamp(real, 0.0, 255.0)));
       }
     });
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tb/scene/library_reader.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
@@ -176,6 +177,19 @@ mesh import(const std::string& path, std::vector<std::string>& messages) {
   return std::move(built).finish(messages);
 }
 
+// Sanitizers take terabytes of addresses for themselves.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool kLimitsMemory = false;
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+constexpr bool kLimitsMemory = false;
+#else
+constexpr bool kLimitsMemory = true;
+#endif
+#else
+constexpr bool kLimitsMemory = true;
+#endif
+
 [[noreturn]] void serve(const std::string& path, int to) {
   // It hangs or grows on some broken files: seconds of processor time and bytes of memory by the size of the file.
   std::error_code ignored;
@@ -185,15 +199,16 @@ mesh import(const std::string& path, std::vector<std::string>& messages) {
   setrlimit(RLIMIT_CPU, &time);
   const rlim_t bytes = (rlim_t{1} << 31) + 100 * size;
   const rlimit memory{bytes, bytes};
-  setrlimit(RLIMIT_AS, &memory);
+  if (kLimitsMemory) setrlimit(RLIMIT_AS, &memory);
   prctl(PR_SET_PDEATHSIG, SIGKILL);  // it ends with the program
   const rlimit no_core{0, 0};
   setrlimit(RLIMIT_CORE, &no_core);
-  for (const int each : {SIGSEGV, SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGTERM, SIGINT, SIGHUP, SIGXCPU})
-    std::signal(each, SIG_DFL);
-  // What the library prints would come between the program's own lines.
-  if (std::freopen("/dev/null", "w", stderr) == nullptr || std::freopen("/dev/null", "w", stdout) == nullptr)
-    _exit(1);
+  // The program's handlers remove files that are the program's.
+  for (int each = 1; each <= SIGRTMAX; ++each) std::signal(each, SIG_DFL);
+  // What the library prints would come between the program's own lines, and what the program has not printed yet would
+  // come twice if this process flushed its streams.
+  const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
+  if (nowhere == -1 || dup2(nowhere, STDOUT_FILENO) == -1 || dup2(nowhere, STDERR_FILENO) == -1) _exit(1);
   pipe_writer out(to);
   try {
     std::vector<std::string> messages;
@@ -244,11 +259,11 @@ bool receive(pipe_reader& in, mesh& made, std::vector<std::string>& messages, st
 }  // namespace
 
 mesh read_by_library(const std::string& path, std::vector<std::string>& messages) {
-  if (access(path.c_str(), R_OK) != 0) throw file_error(path, 0, "cannot be read" + system_reason());
+  if (access(path.c_str(), R_OK) != 0) throw file_error(path, 0, "cannot be read (" + system_reason() + ")");
   std::array<int, 2> ends{};
-  if (pipe(ends.data()) != 0) throw file_error(path, 0, "cannot be read" + system_reason());
+  if (pipe(ends.data()) != 0) throw file_error(path, 0, "cannot be read (" + system_reason() + ")");
   const pid_t child = fork();
-  if (child < 0) throw file_error(path, 0, "cannot be read" + system_reason());
+  if (child < 0) throw file_error(path, 0, "cannot be read (" + system_reason() + ")");
   if (child == 0) {
     close(ends[0]);
     serve(path, ends[1]);

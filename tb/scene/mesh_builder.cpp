@@ -210,7 +210,8 @@ void mesh_builder::compute_normals(std::vector<std::string>& messages) {
         sum = areas[i];
       }
       normal = static_cast<std::uint32_t>(normals.size());
-      normals.push_back(golden::normalised(dot(sum, sum) > 0 ? sum : areas[i]));
+      const vec mean = golden::normalised(sum);
+      normals.push_back(dot(mean, mean) > 0 ? mean : golden::normalised(areas[i]));
       ++count;
     }
   }

@@ -58,7 +58,10 @@ class field {
   }
   std::string text() const {
     if (!value_.is_string()) fail(fmt::format("is {}, expected a string", value_.type_name()));
-    return value_.get<std::string>();
+    std::string text = value_.get<std::string>();
+    // The system would take what stands before it for the whole name.
+    if (text.find('\0') != std::string::npos) fail("holds a zero byte, expected text");
+    return text;
   }
 
   std::array<double, 3> triple(double least, double most) const {
@@ -73,7 +76,8 @@ class field {
   }
   vec direction() const {
     const vec at = place();
-    if (golden::dot(at, at) == 0) fail("is zero, expected a direction");
+    const vec unit = golden::normalised(at);  // the square of at may vanish where its direction does not
+    if (golden::dot(unit, unit) == 0) fail("is zero, expected a direction");
     return at;
   }
 
@@ -149,6 +153,8 @@ json parsed(const std::string& path, const std::string& text) {
     const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
     const auto line = static_cast<std::size_t>(1 + std::count(text.begin(), end, '\n'));
     throw file_error(path, line, "is no JSON here, expected a scene as docs/scenes.md has it");
+  } catch (const json::out_of_range&) {
+    throw file_error(path, 0, "has a number beyond 1.8e308, expected a scene as docs/scenes.md has it");
   }
 }
 

@@ -69,14 +69,14 @@ std::string read_file(const std::string& path) {
   };
   errno = 0;
   const std::unique_ptr<std::FILE, close_stream> file(std::fopen(path.c_str(), "rb"));
-  if (!file) throw file_error(path, 0, "cannot be read" + system_reason());
+  if (!file) throw file_error(path, 0, "cannot be read (" + system_reason() + ")");
   std::string bytes;
   std::vector<char> part(std::size_t{1} << 20);
   while (const std::size_t size = std::fread(part.data(), 1, part.size(), file.get())) {
     bytes.append(part.data(), size);
     if (bytes.size() > kMost) throw file_error(path, 0, "has more than 4 GiB, expected less");
   }
-  if (std::ferror(file.get()) != 0) throw file_error(path, 0, "cannot be read" + system_reason());
+  if (std::ferror(file.get()) != 0) throw file_error(path, 0, "cannot be read (" + system_reason() + ")");
   return bytes;
 }
 

@@ -167,6 +167,9 @@ TEST_CASE("a table as other programs write it is read", "[cli]") {
         "n,cos,r,g,b\n\"10\",\"0.99\",\"200\",\"100\",\"50\"\n\"1000\", \"1\" ,255,0,1\n"},
        {"a spreadsheet's export",
         "\xEF\xBB\xBFn;cos;r;g;b;\r\n10;0.99;200;100;50;\r\n1000;1;255;0;1;\r\n;;;;;\r\n"},
+       {"a note of the separator", "sep=;\r\nn;cos;r;g;b\r\n10;0.99;200;100;50\r\n1000;1;255;0;1\r\n"},
+       {"such a note of tabs, quoted",
+        "\xEF\xBB\xBF\"sep=\t\"\nn\tcos\tr\tg\tb\n10\t0.99\t200\t100\t50\n1000\t1\t255\t0\t1\n"},
        {"tabs", "n\tcos\tr\tg\tb\n10\t0.99\t200\t100\t50\n1000\t1\t255\t0\t1\n"},
        {"floats for integers", "n,cos,r,g,b\n10.0,0.99,200.0,1e2,50.00\n1000.,1.0,255.0,0.0,1.0\n"},
        {"signs", "n,cos,r,g,b\n+10,+.99,+200,+100,+5e1\n+1e3,+1,+255,-0,1\n"},
@@ -199,6 +202,9 @@ TEST_CASE("a table whose meaning is not clear is refused", "[cli]") {
        {"n,cos,r,g,b\n\"10\"x,0.5,1,2,3\n", ":2: row '\"10\"x,0.5,1,2,3' has a quote out of place"},
        {"n,cos,r,g,b\n\"1\"\"\",0.5,1,2,3\n", ":2: n is '1\"', expected an integer 1..1000"},
        {"n,cos,r,g,b,\n10,0.5,1,2,3,4\n", ":2: row has 6 fields, expected 5: n,cos,r,g,b"},
+       {"n,cos,r,g,b\nsep=,\n", ":2: row has 2 fields, expected 5"},
+       {"\xFF\xFEn", ":1: is UTF-16, expected text in UTF-8"},
+       {"\xFE\xFFn", ":1: is UTF-16, expected text in UTF-8"},
        {"x,n,cos,r,g,b\n10,0.5,1,2,3\n", ":2: row has 5 fields, expected 6: x,n,cos,r,g,b"},
        {"n,cos,r,g,b\n10,0.5,1,2,3 # why\n", ":2: b is '3 # why', expected an integer 0..255"}}));
   CAPTURE(text);

@@ -166,6 +166,23 @@ TEST_CASE("a scene file gives what the command line does not", "[cli][render]") 
   CHECK(report["shading"] == "phong");
 }
 
+TEST_CASE("a direction is one however short", "[cli][render]") {
+  const scratch folder;
+  const auto made = [&](const std::string& arguments) {
+    const outcome done = run_blysk(folder, "render --size 16x16 --output - " + arguments);
+    CAPTURE(arguments, done.err);
+    REQUIRE(done.status == 0);
+    return done.out;
+  };
+  const std::string expected = made("sphere --light 1,0,2");
+  CHECK(made("sphere --light 1e-200,0,2e-200") == expected);
+  for (const std::string scale : {"", "e-200"}) {
+    folder.write("a.json",
+                 R"({"mesh": "sphere", "lights": [{"direction": [1)" + scale + ", 0, 2" + scale + "]}]}");
+    CHECK(made(in(folder, "a.json")) == expected);
+  }
+}
+
 TEST_CASE("bad use is one line, and no file is written", "[cli][render]") {
   const scratch folder;
   const std::vector<std::pair<std::string, std::string>> cases{
@@ -181,6 +198,7 @@ TEST_CASE("bad use is one line, and no file is written", "[cli][render]") {
       {"sphere --effects some", "--effects"},
       {"sphere --light 1,2", "--light is '1,2', expected X,Y,Z"},
       {"sphere --light 0,0,0", "--light is 0,0,0, expected a direction"},
+      {"sphere --fov nan", "--fov is nan, expected a number in [0.001, 179]"},
       {"sphere --light nan,0,0", "expected at most"},
       {"sphere --light 1,1,1,2,0,0", "expected R,G,B, each in [0, 1]"},
       {"sphere --ambient 1,1", "--ambient is '1,1', expected R,G,B"},
@@ -220,6 +238,7 @@ TEST_CASE("a bad scene is one line that names file and line", "[cli][render]") {
   refuses_text("a.obj", std::string("v 0 0 1\n\0\n", 10), ":2: holds a zero byte, expected text");
   refuses_text("a.json", "{", ":1: is no JSON here, expected a scene");
   refuses_text("a.json", "{\n\"mesh\": \"sphere\",\n\"x\": }", ":3: is no JSON here");
+  refuses_text("a.json", R"({"mesh": 1e999})", ": has a number beyond 1.8e308, expected a scene");
   refuses_text("a.json", "[]", ": the file: is array, expected an object");
   refuses_text("a.json", R"({"lights": []})", ": the file: has no mesh, expected its name");
   refuses_text("a.json", R"({"mesh": "sphere", "lamps": []})",
@@ -237,6 +256,8 @@ TEST_CASE("a bad scene is one line that names file and line", "[cli][render]") {
   refuses_text("a.json", R"({"mesh": "a.json"})", ": mesh: is a scene, expected a mesh");
   refuses_text("a.json", R"({"mesh": "sphere", "camera": {"eye": [0, 0, 0], "target": [0, 0, 0]}})",
                ": camera: eye and target are one place, expected two");
+  refuses_text("a.json", R"({"mesh": "sphere\u0000.obj"})", ": mesh: holds a zero byte, expected text");
+  refuses_text("a.json", R"({"x\u0000y": 1})", R"(: the file: has 'x\x00y', expected mesh)");
   refuses_text("a.ply", "ply\nformat ascii 1.0\n", ": ");
   refuses_text("a.3ds", "nothing", ": ");
   folder.write("a.mtl", "newmtl a\nNs nan\n");

@@ -4,9 +4,12 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <set>
+#include <vector>
 
 #include "tb/catch.h"
+#include "tb/cost/error_sums.h"
 #include "tb/cost/errors.h"
 #include "tb/golden/sphere.h"
 #include "tb/specular/specular.h"
@@ -270,6 +273,25 @@ TEST_CASE("errors of a device that rounds cos^n correctly, and of planted faults
   CHECK(in(table, domain::epicentre_060).ulps[3] == 1);
   // cos = 0 is in no epicentre and, at 3 ulp, in the lobe only where that is half an 8-bit step.
   CHECK(in(table, domain::lobe).ulps[3] == (bits == 8 ? 2 : 1));
+}
+
+TEST_CASE("an error of just below half an ulp is none", "[cost]") {
+  constexpr int kBits = 8;
+  const double below = std::nextafter(0.5, 0.0);
+  // On its own, and in a group that is added at once.
+  for (const std::size_t size : {std::size_t{1}, kLanes + 1}) {
+    const std::vector<double> cosines(size, 0.25);
+    const std::vector<double> device(size, 0.0);
+    for (const auto& [ulps, within] : {std::pair{below, 0}, std::pair{0.5, 1}, std::pair{std::nextafter(1.5, 0.0), 1}}) {
+      CAPTURE(size, ulps);
+      const std::vector<double> exact(size, std::ldexp(ulps, -kBits));
+      error_sums sums;
+      add_points({1, kBits, cosines, exact, device, 0}, 0, size, sums);
+      CHECK(std::accumulate(sums.ulps[static_cast<std::size_t>(within)].begin(),
+                            sums.ulps[static_cast<std::size_t>(within)].end(),
+                            0.0) == static_cast<double>(size));
+    }
+  }
 }
 
 TEST_CASE("errors do not depend on the threads", "[cost]") {

@@ -33,7 +33,7 @@ setTimeout(() => see("said", document.getElementById("said").textContent), 300);
 </script>
 PAGE
 cat "$work/page.html" "$work/reader.html" >"$work/both.html"
-timeout 120 "$browser" --headless --no-sandbox --disable-gpu --user-data-dir="$work/profile" --virtual-time-budget=2000 \
+"$browser" --headless --no-sandbox --disable-gpu --user-data-dir="$work/profile" --virtual-time-budget=2000 \
   --dump-dom "file://$work/both.html" >"$work/dom" 2>"$work/log" || { cat "$work/log"; exit 1; }
 sed -n '/<pre id="seen">/,/<\/pre>/p' "$work/dom" | sed 's/<pre id="seen">//' >"$work/seen"
 cat "$work/seen"

@@ -10,8 +10,21 @@
 #include "tb/fuzz/fuzz.h"
 #include "tb/usage_error.h"
 
+namespace {
+
+using namespace blysk;
+
+/// A command line that is made once, as that takes longer than to read it.
+struct command_line {
+  explicit command_line(purpose is_for) { add_device_arguments(program, arguments, is_for); }
+
+  CLI::App program{"fuzz"};
+  asked_device arguments;
+};
+
+}  // namespace
+
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  using namespace blysk;
   if (size == 0) return 0;
   const purpose is_for = data[0] % 2 == 0 ? purpose::hardware : purpose::formula;
   std::vector<std::string> words;
@@ -21,9 +34,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     words.insert(words.begin(), std::string(word));  // CLI11 takes the last one first
     text.remove_prefix(std::min(text.size(), word.size() + 1));
   }
-  CLI::App program{"fuzz"};
-  asked_device arguments;
-  add_device_arguments(program, arguments, is_for);
+  static command_line for_hardware(purpose::hardware);
+  static command_line for_formula(purpose::formula);
+  auto& [program, arguments] = is_for == purpose::hardware ? for_hardware : for_formula;
+  arguments = {};
   try {
     program.parse(words);
     const selection asked = arguments.choose(is_for);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tb/golden/energy.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -187,6 +188,14 @@ TEST_CASE("an error that peaks in a kink is found for every exponent", "[golden]
     CAPTURE(n, found.cos, root);
     REQUIRE(found.value >= blinn<double>(n, root) - n * 0x1p-26);
   }
+}
+
+TEST_CASE("an error narrower than a step of the whole range is found beside the peak", "[golden][errors]") {
+  // At n = 1000 a step over [0, 1] is 0.005, one beside the peak 40/1000/200 = 0.0002.
+  const auto spike = [](double c) { return std::max(0.0, 1 - std::abs(c - 0.9985) / 0.0003); };
+  const peak found = largest(spike, 1000, 0, 1);
+  CHECK(std::abs(found.cos - 0.9985) < 1e-7);
+  CHECK(std::abs(found.value - 1) < 1e-3);
 }
 
 TEST_CASE("NMSE is a share of the reference's energy", "[golden][sphere]") {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tb/catch.h"
+#include "tb/golden/angle.h"
 #include "tb/golden/registry.h"
 
 using namespace blysk::golden;
@@ -61,5 +62,20 @@ TEST_CASE("no model is without such values, and none of the lobes at n = 2, 7, 1
       CAPTURE(n);
       CHECK(first_inputs.contains({m.name, n}));
     }
+  }
+}
+
+TEST_CASE("the angle of a level is that of its cosine where that is a known one", "[golden][values]") {
+  // acos(q^(1/n)): the models have quotients of such angles, in which a common factor cancels.
+  struct known_angle {
+    double n, q, in_pi;
+  };
+  for (const auto& [n, q, in_pi] :
+       {known_angle{1, 0.5, 1.0 / 3}, known_angle{2, 0.75, 1.0 / 6}, known_angle{2, 0.25, 1.0 / 3},
+        known_angle{8, 0.0625, 1.0 / 4}, known_angle{100, 0x1p-50, 1.0 / 4},
+        known_angle{1000, 0x1p-500, 1.0 / 4}}) {
+    CAPTURE(n, q);
+    const double angle = in_pi * 3.14159265358979323846;
+    CHECK(std::abs(angle_of_level(n, q) - angle) <= 16 * 0x1p-53 * angle);
   }
 }

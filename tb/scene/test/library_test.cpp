@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // Debian's test models of assimp: our reader of OBJ against the library, and files that are broken.
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <iostream>
 
 #include "tb/catch.h"
 #include "tb/scene/library_reader.h"
@@ -79,6 +85,35 @@ TEST_CASE("our reader of OBJ and assimp see the same surfaces", "[scene][models]
     ++compared;
   }
   CHECK(compared >= 15);
+}
+
+TEST_CASE("what is not printed yet is printed once", "[scene]") {
+  std::string path = (fs::temp_directory_path() / "blysk-XXXXXX.ply").string();
+  const int file = mkstemps(path.data(), 4);
+  REQUIRE(file != -1);
+  std::cout.flush();  // what Catch2 has said
+  // A process of its own, whose standard output is a file, and so written when its buffer is full.
+  const pid_t child = fork();
+  if (child == 0) {
+    dup2(file, STDOUT_FILENO);
+    std::setvbuf(stdout, nullptr, _IOFBF, 1 << 12);
+    std::fputs("ply\n", stdout);
+    std::vector<std::string> messages;
+    try {
+      read_by_library(path, messages);  // no mesh
+    } catch (const usage_error&) {
+    }
+    std::fflush(stdout);
+    _exit(0);
+  }
+  int status = -1;
+  CHECK(waitpid(child, &status, 0) == child);
+  CHECK(status == 0);
+  std::array<char, 64> text{};
+  const ssize_t size = pread(file, text.data(), text.size(), 0);
+  CHECK(std::string_view(text.data(), static_cast<std::size_t>(std::max<ssize_t>(size, 0))) == "ply\n");
+  close(file);
+  fs::remove(path);
 }
 
 TEST_CASE("every model is a mesh or one line", "[scene][models][full]") {
