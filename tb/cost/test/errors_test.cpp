@@ -282,7 +282,8 @@ TEST_CASE("an error of just below half an ulp is none", "[cost]") {
   for (const std::size_t size : {std::size_t{1}, kLanes + 1}) {
     const std::vector<double> cosines(size, 0.25);
     const std::vector<double> device(size, 0.0);
-    for (const auto& [ulps, within] : {std::pair{below, 0}, std::pair{0.5, 1}, std::pair{std::nextafter(1.5, 0.0), 1}}) {
+    for (const auto& [ulps, within] :
+         {std::pair{below, 0}, std::pair{0.5, 1}, std::pair{std::nextafter(1.5, 0.0), 1}}) {
       CAPTURE(size, ulps);
       const std::vector<double> exact(size, std::ldexp(ulps, -kBits));
       error_sums sums;
