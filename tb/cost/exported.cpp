@@ -13,7 +13,6 @@
 #include "tb/cost/measured.h"
 #include "tb/export/export.h"
 #include "tb/export/replay.h"
-#include "tb/netlist/elaborated.h"
 #include "tb/program.h"
 
 namespace {

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
 # gnuplot -c front.gnuplot ROWS.csv OUTPUT.svg|.png METRIC DOMAIN: the error of each device and format over four costs;
-# ROWS.csv is what `blysk explore --csv` prints. A dashed line leads along each panel's front.
+# ROWS.csv is what `blysk explore --csv` prints. A colour is a device, with whatever options, a shape a format. A dashed line leads
+# along each panel's front.
 if (ARG2[strlen(ARG2) - 3:] eq '.png') {
-  set terminal pngcairo size 1200,860 font 'sans,11' background '#ffffff'
+  set terminal pngcairo size 1400,860 font 'sans,11' background '#ffffff'
 } else {
-  set terminal svg size 1200,860 font 'sans,13' background '#ffffff'
+  set terminal svg size 1400,860 font 'sans,13' background '#ffffff'
 }
 set output ARG2
 set datafile separator ','
@@ -14,24 +15,27 @@ set grid lc rgb '#dddddd' lw 0.5
 set ylabel metric . ', ' . ARG4 noenhanced
 unset key
 
-# "DEVICE OPTIONS" of the rows, each once; a blank as '+'.
+# The devices and the formats of the rows, each once.
 row = 'NR == 1 { for (i = 1; i <= NF; ++i) at[$i] = i; next } $at["domain"] == "' . ARG4 . '"'
-name = 'n = $at["device"] ($at["options"] == "" ? "" : "+" $at["options"])'
-names = system("awk -F, '" . row . " { " . name . "; if (!(n in seen)) { seen[n] = 1; print n } }' '" . ARG1 . "'")
+each_once(key) = system("awk -F, '" . row . ' && $at["' . key . '"] != "" { if (!($at["' . key . '"] in seen)) { seen[$at["' . key \
+  . '"]] = 1; print $at["' . key . '"] } }' . "' '" . ARG1 . "' | sort -V")
+names = each_once('device')
+formats = each_once('format')
 host(engine) = 'match($at["host"], /' . engine . '=s_per_million=[0-9.e+-]*/) ? substr($at["host"], RSTART + ' \
   . (strlen(engine) + 15) . ', RLENGTH - ' . (strlen(engine) + 15) . ') : 0'
-points(which, cost) = "< awk -F, '" . row . ' { ' . name . '; x = ' . cost . '; y = $at["' . metric . '"]; y = y < 0 ? -y : y; ' \
-  . 'if (n == "' . which . '" && x > 0 && y > 0) print x "," y "," $at["format"] }' . "' '" . ARG1 . "'"
+points(which, cost) = "< awk -F, '" . row . ' { x = ' . cost . '; y = $at["' . metric . '"]; y = y < 0 ? -y : y; ' \
+  . 'if ($at["device"] == "' . which . '" && x > 0 && y > 0) print x "," y "," $at["format"] }' . "' '" . ARG1 . "'"
 front(cost) = "< awk -F, '" . row . ' { x = ' . cost . '; y = $at["' . metric . '"]; y = y < 0 ? -y : y; ' \
   . 'if (x > 0 && y > 0) print x "," y }' . "' '" . ARG1 . "' | sort -t, -g -k1,1 -k2,2 | awk -F, 'NR == 1 || $2 < best { best = $2; print }'"
-colour(i) = word("#1f77b4 #d95f02 #1b9e77 #7570b3 #e7298a #66a61e #a6761d #444444", 1 + (i - 1) % 8)
+colour(i) = word("#1f77b4 #d95f02 #1b9e77 #7570b3 #e7298a #66a61e #a6761d #444444 #17becf #d62728 #bcbd22 #8c564b", 1 + (i - 1) % 12)
+shape(format) = int(word("7 5 9 11 13 15 6 4 8", int((format[2:] - 8) / 2) + 1))
 
 label(panel) = panel == 1 ? 'iCE40: LUT' : panel == 2 ? 'OSU018: ns a result' : panel == 3 ? 'OSU018: area in NAND2' \
   : 'host: s a million results, engine bit'
 cost(panel) = panel == 1 ? '$at["lut"]' : panel == 2 ? '($at["results_per_s_asic"] > 0 ? 1e9 / $at["results_per_s_asic"] : 0)' \
   : panel == 3 ? '$at["area_nand2"]' : host('bit')
 set autoscale noextend
-set offsets graph 0.06, graph 0.1, graph 0.1, graph 0.17
+set offsets graph 0.06, graph 0.06, graph 0.1, graph 0.1
 set format xy '%g'
 # What is close together needs no logarithm.
 spread = real(system("awk -F, '" . row . ' { y = $at["' . metric . '"]; y = y < 0 ? -y : y; if (y > 0) { if (!low || y < low) low = y; ' \
@@ -43,20 +47,21 @@ if (spread < 5) {
   do for [e = -9:1] { do for [m in '1 2 5'] { set ytics add (10.0**e * m) } }
 }
 
-set multiplot layout 2,2 margins 0.08, 0.98, 0.08, 0.93 spacing 0.1, 0.12
+set multiplot layout 2,2 margins 0.06, 0.83, 0.08, 0.97 spacing 0.08, 0.12
 do for [panel = 1:4] {
   set xlabel label(panel) noenhanced
-  if (panel == 1) { set key at screen 0.53, 0.985 center top vertical maxrows 1 noenhanced samplen 1 } else { unset key }
+  if (panel == 1) { set key at screen 0.845, 0.97 left top Left reverse vertical noenhanced samplen 1 } else { unset key }
   if (words(system(front(cost(panel))[2:])) == 0) {
     set title label(panel) . ': not measured' noenhanced
     plot [1:10] [1:10] NaN notitle
     set title
   } else {
     plot front(cost(panel)) using 1:2 with steps lc rgb '#999999' dt 2 lw 1.5 notitle, \
-      for [i = 1:words(names)] points(word(names, i), cost(panel)) using 1:2 with points pt 7 ps 0.9 lc rgb colour(i) \
-        title word(names, i), \
-      for [i = 1:words(names)] points(word(names, i), cost(panel)) using 1:2:3 with labels left offset 0.8,1.5 - 0.75 * i \
-        font ',9' tc rgb colour(i) notitle
+      for [i = 1:words(names)] points(word(names, i), cost(panel)) using 1:2:(shape(strcol(3))) with points pt variable ps 1.1 \
+        lc rgb colour(i) notitle, \
+      for [i = 1:words(names)] 1 / 0 with points pt 7 ps 1.1 lc rgb colour(i) title word(names, i), \
+      1 / 0 with points pt 7 ps 0 title ' ', \
+      for [format in formats] 1 / 0 with points pt shape(format) ps 1.1 lc rgb '#777777' title format
   }
 }
 unset multiplot

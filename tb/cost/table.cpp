@@ -359,7 +359,9 @@ std::string html_page(const nlohmann::ordered_json& rows) {
 }
 
 std::string number_text(double value) {
-  return value == 0 ? "0" : fmt::format("{:.4g}", value);
+  if (value == 0) return "0";
+  return std::fabs(value) >= 1e4 && std::fabs(value) < 1e9 ? fmt::format("{:.0f}", value)
+                                                           : fmt::format("{:.4g}", value);
 }
 
 }  // namespace blysk::cost

@@ -5,7 +5,7 @@
 // energy activity NETLIST.json CELLS.lib WAVES.vcd CYCLES --toggles FILE: how often each cell's pins change in the waves, as
 //   lines "activity PIN CHANGES_PER_CYCLE"; the changes of each block's cells' outputs in FILE.
 // energy collect DELAYS.json ROWS HALF KINDS: what was counted and what OpenSTA reported, as a row. KINDS has a line
-//   "KIND CYCLES" for each kind of rows; beside it lie KIND.delayed.toggles, KIND.plain.power and so on.
+//   "KIND CYCLES" for each kind of rows; beside it lie KIND.delayed.toggles, KIND.plain.watts and so on.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -197,7 +197,7 @@ void collect(const std::string& delays_path, int rows, double half_ps, const std
     for (const char* run : {"delayed", "plain"}) {
       const std::string key = run == std::string("delayed") ? "with_delays" : "without";
       const auto toggles = read_toggles(fmt::format("{}.{}.toggles", kind, run));
-      const auto power = read_power(fmt::format("{}.{}.power", kind, run));
+      const auto power = read_power(fmt::format("{}.{}.watts", kind, run));
       const double pj_per_w = 2 * half_ps * cycles / rows;  // W times ps
       double sum_toggles = 0, sum_pj = 0;
       for (const auto& [block, count] : toggles) {

@@ -118,9 +118,9 @@ for kind in random line sphere; do
       echo 'proc activity {pin changes} {sta::set_power_pin_activity [get_pins $pin] $changes 0.5}'
       cat activity.tcl
       echo 'report_power -digits 6 -instances [get_cells -hierarchical *]'
-    } >power.tcl
-    sta -no_init -no_splash -exit power.tcl >$kind.$run.power 2>&1 || fail "OpenSTA: $(tail -n 1 $kind.$run.power)"
-    ! grep -iE '^(error|warning)' $kind.$run.power >others.txt || fail "OpenSTA: $(sed -n 1p others.txt)"
+    } >watts.tcl
+    sta -no_init -no_splash -exit watts.tcl >$kind.$run.watts 2>&1 || fail "OpenSTA: $(tail -n 1 $kind.$run.watts)"
+    ! grep -iE '^(error|warning)' $kind.$run.watts >others.txt || fail "OpenSTA: $(sed -n 1p others.txt)"
   done
   echo "$kind $cycles" >>kinds.txt
 done
