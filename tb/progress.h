@@ -10,6 +10,11 @@
 
 namespace blysk {
 
+/// True for results that go to a terminal: progress would stand among them.
+inline bool is_shown_at(const std::string& path) {
+  return path == "-" && isatty(STDOUT_FILENO) == 1;
+}
+
 /// One line on a terminal's standard error that tells how far long work has come; nothing where that is no terminal.
 class progress {
  public:

@@ -11,6 +11,7 @@
 #include "tb/cli/vector_text.h"
 #include "tb/cli/verbs.h"
 #include "tb/device_arguments.h"
+#include "tb/progress.h"
 
 namespace blysk::cli {
 namespace {
@@ -104,8 +105,14 @@ int run(const options& asked) {
   answer_reader reader(lines, device);
   judge judged(device, asked.shown);
   constexpr std::size_t kBlock = 4096;
-  answers block;
-  for (reader.read(block, kBlock); !block.lines.empty(); reader.read(block, kBlock)) judged.look_at(block);
+  {
+    progress shown("check: bytes read", lines.file_size());
+    answers block;
+    for (reader.read(block, kBlock); !block.lines.empty(); reader.read(block, kBlock)) {
+      judged.look_at(block);
+      shown.reach(lines.bytes_read());
+    }
+  }
   if (asked.json) {
     const nlohmann::ordered_json json{
         {"device", device.of().name()},    {"format", device.format()},

@@ -10,12 +10,14 @@
 #include <ranges>
 #include <stdexcept>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "tb/cli/verbs.h"
 #include "tb/csv_reader.h"
 #include "tb/golden/registry.h"
 #include "tb/output_file.h"
+#include "tb/progress.h"
 #include "tb/read_number.h"
 
 namespace blysk::cli {
@@ -73,9 +75,12 @@ void run(const options& asked) {
   point_reader points(rows, model->header, asked.clamps);
   output_file results(asked.results);
   fmt::memory_buffer text;
+  std::optional<progress> shown(std::in_place, "model: bytes read", rows.file_size(),
+                                !is_shown_at(asked.results));
   const auto write = [&] {
     results.write({text.data(), text.size()});
     text.clear();
+    shown->reach(rows.bytes_read());
   };
   fmt::format_to(std::back_inserter(text), "{},value\n", model->header);
   std::vector<double> inputs;
@@ -95,6 +100,7 @@ void run(const options& asked) {
     constexpr std::size_t kFlushBytes = std::size_t{1} << 16;
     if (text.size() >= kFlushBytes) write();
   }
+  shown.reset();
   results.commit();
   if (asked.clamps) fmt::print(asked.results == "-" ? stderr : stdout, "{} clamped\n", points.clamped());
 }

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
@@ -262,8 +261,7 @@ int run(const options& asked) {
   }
   outcome done;
   {
-    const bool mixes_with_results = asked.results == "-" && isatty(STDOUT_FILENO) == 1;
-    progress shown("simulate: bytes read", rows.file_size(), !mixes_with_results);
+    progress shown("simulate: bytes read", rows.file_size(), !is_shown_at(asked.results));
     const auto start = std::chrono::steady_clock::now();
     stimulus_reader stimulus(rows, ports, asked.clamps);
     done.rows = stream(

@@ -9,6 +9,7 @@
 #include "tb/device_arguments.h"
 #include "tb/inputs.h"
 #include "tb/output_file.h"
+#include "tb/progress.h"
 
 namespace blysk::cli {
 namespace {
@@ -44,11 +45,15 @@ void run(const options& asked) {
   output_file file(asked.output);
   file.write(header_text(device, count) + "\n");
   fmt::memory_buffer text;
-  for_level(asked, device, [&](const columns& rows) {
-    append_vectors(text, inputs, rows);
-    file.write({text.data(), text.size()});
-    text.clear();
-  });
+  {
+    progress shown("vectors: written", count, !is_shown_at(asked.output));
+    for_level(asked, device, [&](const columns& rows) {
+      append_vectors(text, inputs, rows);
+      file.write({text.data(), text.size()});
+      text.clear();
+      shown.advance(rows.size());
+    });
+  }
   file.commit();
 }
 
