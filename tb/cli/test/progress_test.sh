@@ -1,8 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # progress_test.sh BLYSK: long work shows on a terminal how far it has come, and nothing in a pipe; where results go to the
-# terminal too, it keeps still. Exit 77 without
-# `script`, which makes a terminal.
+# terminal too, it keeps still. Exit 77 without `script`, which makes a terminal.
 set -euo pipefail
 command -v script >/dev/null || { echo 'script, which makes a terminal, is not there'; exit 77; }
 blysk=$(readlink -f "$1")
