@@ -289,7 +289,7 @@ function(blysk_pipelined_tests device)
   blysk_verilog_of(${unpiped} q8)
   set(other ${verilog_folder})
   blysk_verilog_of(${device} q8)
-  set(faults crossed_colours wiring "s/b_i(g_last)/b_i(x)/\ns/b_i(b_last)/b_i(g_last)/\ns/b_i(x)/b_i(b_last)/" "proof did fail"
+  set(faults inverted_colour wiring "s/b_i(g_last)/b_i(~g_last)/" "proof did fail"
              always_loaded stand "s/else if (go_i)/else/" "selection is not empty"
              always_ready control "s/ready_o = (stall_i/ready_o = (start_i/" "proof did fail")
   while(faults)
