@@ -57,7 +57,7 @@ json latency_of(const selection& asked, const std::vector<port>& ports) {
   const auto strobes = of_role(ports, port::role::strobe);
   if (confirms.empty() || asked.of().draws_lines()) return nullptr;
   if (protocol_of(ports) == protocol::handshake)
-    return asked.of().cycles_per_row(asked) == 1 ? json(confirms.front().settling_cycles) : json(nullptr);
+    return asked.of().computes_as(asked) ? json(confirms.front().settling_cycles) : json(nullptr);
   const bool by_trailing_edge =
       std::ranges::any_of(strobes, [](const port& each) { return each.edge == write_edge::trailing; });
   return (by_trailing_edge ? 2 : 1) + confirms.front().settling_cycles;

@@ -43,9 +43,12 @@ case $property in
       sed -i -E 's/output reg/output wire/; /^  (reg|always)/,$d' "$pipe"
       printf '  assign q_o = d_i;\nendmodule\n' >>"$pipe"
     done
+    # What a level sees of a net is another name of it then, under which its register would stay: cos_1, a_2, and so on.
+    staged=$(printf 'w:*_%s ' {1..12})
     # combinational FOLDER TOP NAME: the module NAME with the registers as inputs.
     combinational() {
-      echo "read_verilog $1/*.v; hierarchy -top $2; proc; flatten; memory -nordff; opt_clean; rename $2 $3
+      echo "read_verilog $1/*.v; hierarchy -top $2; proc; flatten; memory -nordff; rename $2 $3
+        rename -hide w:*.* $staged w:*_last w:*_first; opt_clean
         expose -input $(printf "$3/w:%s " n cos_delta r_ks g_ks b_ks); expose $3/w:brdf; delete $3/w:valid_o; opt_clean"
     }
     yosys -q -p "$(combinational device "$top" device)
