@@ -162,9 +162,9 @@ std::map<std::string, long long> read_toggles(const std::string& path) {
   return toggles;
 }
 
-/// Internal and switching power of each block's cells, W. Leakage is left out: it goes with time, not with results.
-std::map<std::string, double> read_power(const std::string& path) {
-  std::map<std::string, double> power;
+/// What each block's cells take within and to drive their outputs, W. Leakage is left out: it goes with time, not with results.
+std::map<std::string, double> read_watts(const std::string& path) {
+  std::map<std::string, double> watts;
   std::istringstream lines(cost::read_text(path));
   for (std::string line; std::getline(lines, line);) {
     std::istringstream words(line);
@@ -172,10 +172,10 @@ std::map<std::string, double> read_power(const std::string& path) {
     std::string name;
     if (!(words >> internal >> switching >> leakage >> total >> name)) continue;
     const std::size_t slash = name.find('/');
-    if (slash != std::string::npos) power[name.substr(0, slash)] += internal + switching;
+    if (slash != std::string::npos) watts[name.substr(0, slash)] += internal + switching;
   }
-  if (power.empty()) throw file_error(path, 0, "has no power, expected a report of OpenSTA");
-  return power;
+  if (watts.empty()) throw file_error(path, 0, "has no watts, expected a report of OpenSTA");
+  return watts;
 }
 
 double rounded(double value) {
@@ -197,12 +197,12 @@ void collect(const std::string& delays_path, int rows, double half_ps, const std
     for (const char* run : {"delayed", "plain"}) {
       const std::string key = run == std::string("delayed") ? "with_delays" : "without";
       const auto toggles = read_toggles(fmt::format("{}.{}.toggles", kind, run));
-      const auto power = read_power(fmt::format("{}.{}.watts", kind, run));
+      const auto watts = read_watts(fmt::format("{}.{}.watts", kind, run));
       const double pj_per_w = 2 * half_ps * cycles / rows;  // W times ps
       double sum_toggles = 0, sum_pj = 0;
       for (const auto& [block, count] : toggles) {
-        const auto found = power.find(block);
-        const double pj = found == power.end() ? 0 : found->second * pj_per_w;
+        const auto found = watts.find(block);
+        const double pj = found == watts.end() ? 0 : found->second * pj_per_w;
         const double each = static_cast<double>(count) / rows;
         sum_toggles += each;
         sum_pj += pj;

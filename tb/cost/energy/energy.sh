@@ -23,12 +23,9 @@ chosen=(--device "$device" --format "$format" "${@:3}")
 here=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
 rows=256 warm=16
 export LC_ALL=C BLYSK_CELLS=${BLYSK_CELLS:-$root/build/deps/osu018/osu018_stdcells.lib}
-for tool in yosys sta iverilog; do
-  command -v $tool >/dev/null || { echo "$tool is not there: scripts/setup --synthesis installs it"; exit 77; }
-done
-for file in "$BLYSK_CELLS" "${BLYSK_CELLS%.lib}.v"; do
-  [ -f "$file" ] || { echo "${file##*/} is not there: scripts/setup --synthesis fetches it"; exit 77; }
-done
+# shellcheck source=tb/cost/icarus_sdf.sh
+. "$here/../icarus_sdf.sh"
+need_tools
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 cd "$folder"
@@ -67,17 +64,10 @@ awk -v rows=$((rows + warm + 1)) -v bits="$bits" '
       }
   }'
 
-# Icarus wants a middle value, and no wires at the top; the cells' time step would round every arc.
-awk '
-  /^ \(CELL$/ { getline type; if (type ~ /CELLTYPE "blysk_/) { skipping = 1; next } skipping = 0; print; print type; next }
-  /^\)/ { skipping = 0 }
-  !skipping { print }' "$mapped/delays/cells.sdf" | sed -E 's/\(([-0-9.]+)::([-0-9.]+)\)/(\1:\2:\2)/g' >cells.sdf
-[ "$(grep -c IOPATH cells.sdf)" -gt 100 ] || fail "the SDF file has next to no delays"
+prepare_cells "$mapped/delays/cells.sdf"
 [ "$fault" != sdf_error ] || sed -i '0,/(IOPATH/s//(IOPATH (/' cells.sdf
 annotate=(+sdf=cells.sdf)
 [ "$fault" != unannotated ] || annotate=()
-# shellcheck disable=SC2016  # Verilog's own sign
-sed 's,^`timescale.*,`timescale 1ns/1ps,' "${BLYSK_CELLS%.lib}.v" >cells.v
 cp "$mapped/delays/netlist.v" plain.v
 [ "$fault" != other_outputs ] || sed -i 's/NAND2X1/NOR2X1/' plain.v
 out_bits=$(sed -nE 's/.*output wire \[([0-9]+):0\] r_o.*/\1/p' "$mapped/wrapper/mapped.v")
@@ -94,12 +84,8 @@ for kind in random line sphere; do
   [ "$(wc -l <writes.txt)" -gt $((rows + warm)) ] || fail "$kind has too few rows"
   vvp -n delayed.vvp -sdf-warn "+vcd=$kind.delayed.vcd" "${annotate[@]}" >$kind.delayed 2>$kind.errors
   vvp -n plain.vvp "+vcd=$kind.plain.vcd" >$kind.plain 2>&1
-  # Two pins of a cell at one net, as the square has, are one path to Icarus: it keeps the first and warns of the second.
   cat $kind.errors >>$kind.delayed
-  grep -iE 'sdf (error|warning)' $kind.delayed >faults.txt || true
-  ! grep -v 'Unable to match ModPath' faults.txt >others.txt || fail "Icarus reports of the SDF file: $(sed -n 1p others.txt)"
-  arcs=$(grep -c IOPATH cells.sdf || true) unmatched=$(wc -l <faults.txt)
-  [ $((unmatched * 1000)) -le "$arcs" ] || fail "$unmatched of $arcs delays found no path in Icarus: $(sed -n 1p faults.txt)"
+  judge_sdf $kind.delayed
   for run in delayed plain; do
     grep -E '^[0-9]+ [0-9]+ [0-9]+$' $kind.$run >$kind.$run.values || fail "the netlist gave nothing: $(sed -n 1p $kind.$run)"
     grep 'results in' $kind.$run >$kind.$run.cycles || fail "the netlist did not come to its end: $(sed -n 1p $kind.$run)"

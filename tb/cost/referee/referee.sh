@@ -15,12 +15,9 @@ root=$(readlink -f "$1") synthesis=$(readlink -f "$2") referee=$(readlink -f "$3
 device=$5 format=$6 writes=$7 fault=${8:-} block=${9:-}
 here=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
 export LC_ALL=C BLYSK_CELLS=${BLYSK_CELLS:-$root/build/deps/osu018/osu018_stdcells.lib}
-for tool in yosys sta iverilog; do
-  command -v $tool >/dev/null || { echo "$tool is not there: scripts/setup --synthesis installs it"; exit 77; }
-done
-for file in "$BLYSK_CELLS" "${BLYSK_CELLS%.lib}.v"; do
-  [ -f "$file" ] || { echo "${file##*/} is not there: scripts/setup --synthesis fetches it"; exit 77; }
-done
+# shellcheck source=tb/cost/icarus_sdf.sh
+. "$here/../icarus_sdf.sh"
+need_tools
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 cd "$folder"
@@ -76,19 +73,13 @@ awk -v writes="$writes" -v bits="$bits" '
 number() { sed -nE "s/^ *\"$1\": ([0-9.]+).*/\1/p" summary.json; }
 period=$(number period_ns)
 
-# The netlist. Icarus wants a middle value, and no wires at the top; the cells' time step would round every arc.
-awk '
-  /^ \(CELL$/ { getline type; if (type ~ /CELLTYPE "blysk_/) { skipping = 1; next } skipping = 0; print; print type; next }
-  /^\)/ { skipping = 0 }
-  !skipping { print }' "$mapped/delays/cells.sdf" | sed -E 's/\(([-0-9.]+)::([-0-9.]+)\)/(\1:\2:\2)/g' >cells.sdf
-[ "$(grep -c IOPATH cells.sdf)" -gt 100 ] || fail "the SDF file has next to no delays"
+# The netlist.
+prepare_cells "$mapped/delays/cells.sdf"
 case $fault in
   sdf_error) sed -i '0,/(IOPATH/s//(IOPATH (/' cells.sdf ;;
 esac
 annotate=(+sdf=cells.sdf)
 [ "$fault" != unannotated ] || annotate=()
-# shellcheck disable=SC2016  # Verilog's own sign
-sed 's,^`timescale.*,`timescale 1ns/1ps,' "${BLYSK_CELLS%.lib}.v" >cells.v
 out_bits=$(sed -nE 's/.*output wire \[([0-9]+):0\] r_o.*/\1/p' "$mapped/wrapper/mapped.v")
 more=$(awk -v cycles="$(number cycles)" -v writes="$(number writes)" 'BEGIN { print int((cycles - 2) / writes) - 2 }')
 half=$(awk -v period="$period" 'BEGIN { printf "%d", period * 500 }')
@@ -97,11 +88,7 @@ iverilog -g2005 -gspecify -Ttyp -s referee -o referee.vvp -DCOS_BITS=$((bits + 1
 vvp -n referee.vvp -sdf-warn +vcd=gates.vcd "${annotate[@]}" >gates.txt 2>gates.err
 vvp -n referee.vvp >plain.txt 2>plain.err
 cat gates.err >>gates.txt
-# Two pins of a cell at one net, as the square has, are one path to Icarus: it keeps the first and warns of the second.
-grep -iE 'sdf (error|warning)' gates.txt >faults.txt || true
-! grep -v 'Unable to match ModPath' faults.txt >others.txt || fail "Icarus reports of the SDF file: $(sed -n 1p others.txt)"
-arcs=$(grep -c IOPATH cells.sdf || true) unmatched=$(wc -l <faults.txt)
-[ $((unmatched * 1000)) -le "$arcs" ] || fail "$unmatched of $arcs delays found no path in Icarus: $(sed -n 1p faults.txt)"
+judge_sdf gates.txt
 grep -E '^[0-9]+ [0-9]+ ' gates.txt >gates.rows || fail "the netlist gave nothing: $(sed -n 1p gates.txt)"
 [ "$(wc -l <gates.rows)" = "$writes" ] || fail "$(wc -l <gates.rows) writes came back of $writes"
 cut -d ' ' -f 1,3- gates.rows >gates.values

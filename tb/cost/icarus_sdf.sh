@@ -1,0 +1,37 @@
+# SPDX-License-Identifier: Apache-2.0
+# shellcheck shell=bash
+# A mapped netlist with its cells' delays in Icarus: what the referee and the measurement of energy share. Sourced; the caller
+# has fail().
+
+# need_tools: exit 77 where a tool or the cells of BLYSK_CELLS are missing.
+need_tools() {
+  local tool file
+  for tool in yosys sta iverilog; do
+    command -v $tool >/dev/null || { echo "$tool is not there: scripts/setup --synthesis installs it"; exit 77; }
+  done
+  for file in "$BLYSK_CELLS" "${BLYSK_CELLS%.lib}.v"; do
+    [ -f "$file" ] || { echo "${file##*/} is not there: scripts/setup --synthesis fetches it"; exit 77; }
+  done
+}
+
+# prepare_cells SDF: cells.sdf and cells.v. Icarus wants a middle value, and no wires at the top; the cells' time step would
+# round every arc.
+prepare_cells() {
+  awk '
+    /^ \(CELL$/ { getline type; if (type ~ /CELLTYPE "blysk_/) { skipping = 1; next } skipping = 0; print; print type; next }
+    /^\)/ { skipping = 0 }
+    !skipping { print }' "$1" | sed -E 's/\(([-0-9.]+)::([-0-9.]+)\)/(\1:\2:\2)/g' >cells.sdf
+  [ "$(grep -c IOPATH cells.sdf)" -gt 100 ] || fail "the SDF file has next to no delays"
+  # shellcheck disable=SC2016  # Verilog's own sign
+  sed 's,^`timescale.*,`timescale 1ns/1ps,' "${BLYSK_CELLS%.lib}.v" >cells.v
+}
+
+# judge_sdf SAID: what Icarus said of cells.sdf. Two pins of a cell at one net, as the square has, are one path to it: it keeps
+# the first and warns of the second.
+judge_sdf() {
+  local arcs unmatched
+  grep -iE 'sdf (error|warning)' "$1" >faults.txt || true
+  ! grep -v 'Unable to match ModPath' faults.txt >others.txt || fail "Icarus reports of the SDF file: $(sed -n 1p others.txt)"
+  arcs=$(grep -c IOPATH cells.sdf || true) unmatched=$(wc -l <faults.txt)
+  [ $((unmatched * 1000)) -le "$arcs" ] || fail "$unmatched of $arcs delays found no path in Icarus: $(sed -n 1p faults.txt)"
+}
