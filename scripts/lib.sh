@@ -105,4 +105,4 @@ wave_header() { sed '/\$enddefinitions/q' "$1"; }
 
 # device_of_waves FILE.vcd: the arguments that choose the device, as `blysk simulate --vcd` leaves them; nothing for the
 # waves of another program.
-device_of_waves() { wave_header "$1" | sed -n 's/^blysk-device \(\(--[a-z-]* *[A-Za-z0-9.-]* *\)*\)$/\1/p' | sed -n 1p; }
+device_of_waves() { wave_header "$1" | sed -n 's/^blysk-device \(\(--[a-z-]* *[A-Za-z0-9.,-]* *\)*\)$/\1/p' | sed -n 1p; }

@@ -11,6 +11,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "tb/engine.h"
@@ -87,6 +88,12 @@ class selection {
   std::map<std::string, std::string> values_;
 };
 
+/// A name that stands for a device with some of its options chosen: "lyon-2".
+struct device_alias {
+  std::string name;
+  std::map<std::string, std::string> options;
+};
+
 /// A device: how it is called, what can be chosen, and how to compute it in each way that is its own.
 class device {
  public:
@@ -98,12 +105,18 @@ class device {
   virtual std::string figure() const = 0;    ///< of the document, "fig. 1"
   virtual std::string good_for() const = 0;  ///< what a user takes it for, in a line
   virtual std::vector<option> options() const = 0;
+  virtual std::vector<device_alias> aliases() const { return {}; }
 
   /// The name with underscores, for folders, modules and namespaces.
   std::string identifier() const;
 
   /// \throws std::invalid_argument for option values that do not go together, or that the device does not accept
   virtual void check(const selection& asked) const = 0;
+
+  /// The options' values, checked ones, in one text for each meaning: what is the preset in other words as the preset.
+  virtual std::map<std::string, std::string> canonical(const selection& asked) const {
+    return asked.values();
+  }
 
   /// The options in words, "coefficient derived, BRDF clamped to [0, 1]".
   virtual std::string words(const selection& asked) const = 0;
@@ -130,6 +143,11 @@ class device {
   /// Clock cycles from one row of the stimulus to the next at full speed.
   virtual int cycles_per_row(const selection& asked) const;
 
+  /// Clock cycles from the one that sees a write's strobe to the one whose strobe confirms its results; of a pipeline, clock
+  /// edges from the one that takes a row to the one that finds its results; nothing for what draws lines or takes as long
+  /// as its row asks for.
+  std::optional<int> latency_cycles(const selection& asked) const;
+
   /// Bits of the read-only memories that the device needs.
   virtual std::int64_t rom_bits(const selection&) const { return 0; }
 
@@ -155,7 +173,12 @@ class device {
 /// All of them, in the order of tb/devices/devices.def.
 const std::vector<const device*>& devices();
 
-/// \param options  by name, without dashes; a flag is "on" or "off"
+/// The device of that name, and the options that the name stands for.
+/// \throws std::invalid_argument if there is none
+std::pair<const device*, std::map<std::string, std::string>> find_device(const std::string& name);
+
+/// \param device_name  or an alias
+/// \param options      by name, without dashes; a flag is "on" or "off"
 /// \throws std::invalid_argument for a device, format, option or value that does not exist, or not for the purpose
 selection choose(const std::string& device_name, const std::string& format,
                  const std::map<std::string, std::string>& options = {}, purpose is_for = purpose::hardware);

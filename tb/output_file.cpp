@@ -312,9 +312,9 @@ class output_file::temporary_file {
 };
 
 output_file::output_file(const std::string& path, std::string_view ending)
-    : path_(path == "-" ? "standard output" : path) {
+    : path_(is_standard_output(path) ? "standard output" : path) {
   errno = 0;
-  if (path == "-") {
+  if (is_standard_output(path)) {
     file_.reset(fdopen(dup(STDOUT_FILENO), "wb"));
     if (errno == EINVAL) errno = EBADF;  // open, but not for writing
   } else {
@@ -410,12 +410,17 @@ void output_file::commit() {
   temporary_.reset();
 }
 
+bool is_standard_output(const std::string& path) {
+  if (path == "-") return true;
+  const std::string name = followed(path).lexically_normal().string();
+  return name == "/dev/stdout" || name == "/dev/fd/1" || name == "/proc/self/fd/1";
+}
+
 void expect_different_files(const std::vector<std::string>& options, const std::vector<std::string>& paths) {
-  const auto leads_to = [](const std::string& path) {
+  const auto leads_to = [](const std::string& path) -> fs::path {
     std::error_code ignored;
-    return path.empty() || path == "-" || is_special(path)
-               ? fs::path()
-               : fs::weakly_canonical(fs::absolute(path), ignored);
+    if (is_standard_output(path)) return "/dev/stdout";
+    return path.empty() || is_special(path) ? fs::path() : fs::weakly_canonical(fs::absolute(path), ignored);
   };
   for (std::size_t i = 0; i < paths.size(); ++i) {
     const fs::path place = leads_to(paths[i]);

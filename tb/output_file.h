@@ -23,7 +23,8 @@ namespace blysk {
 /// take the place of the old one, commit() copies the text over the old one: in a folder that cannot be written, on a
 /// mount point, with another owner, with a second hard link. A file that the user may not write is refused.
 ///
-/// "-" is standard output; a device such as a terminal is written as it stands, and so is what lies in /dev and /proc.
+/// "-" is standard output, and so is /dev/stdout; a device such as a terminal is written as it stands, and so is what lies
+/// in /dev and /proc.
 class output_file {
  public:
   /// \param ending  not empty if a library opens the file by its name: what the temporary name ends with. The file lies
@@ -68,7 +69,10 @@ class output_file {
   std::size_t line_ = 1;
 };
 
-/// \throws usage_error if two of the paths lead to the same file, or the same place for one; "-" and "" are none
+/// True for "-" and for what names the same: /dev/stdout, /dev/fd/1, /proc/self/fd/1, a link to one of them.
+bool is_standard_output(const std::string& path);
+
+/// \throws usage_error if two of the paths lead to the same file, the same place for one, or standard output; "" is none
 /// \param options  what the paths are given by, for the message: "--results"
 void expect_different_files(const std::vector<std::string>& options, const std::vector<std::string>& paths);
 

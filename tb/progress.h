@@ -8,11 +8,13 @@
 #include <string>
 #include <utility>
 
+#include "tb/output_file.h"
+
 namespace blysk {
 
 /// True for results that go to a terminal: progress would stand among them.
 inline bool is_shown_at(const std::string& path) {
-  return path == "-" && isatty(STDOUT_FILENO) == 1;
+  return is_standard_output(path) && isatty(STDOUT_FILENO) == 1;
 }
 
 /// One line on a terminal's standard error that tells how far long work has come; nothing where that is no terminal.

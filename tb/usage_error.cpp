@@ -39,18 +39,20 @@ bool is_printable(char32_t code) {
   struct range {
     char32_t first, last;
   };
-  // Controls and separators, what Unicode's property Default_Ignorable_Code_Point holds, and annotations.
-  constexpr std::array<range, 19> hidden{{{0x00, 0x1F},          // C0
-                                          {0x7F, 0x9F},          // DEL, C1
+  // Controls, separators and blanks other than U+0020, what Unicode's property Default_Ignorable_Code_Point holds, and annotations.
+  constexpr std::array<range, 21> hidden{{{0x00, 0x1F},          // C0
+                                          {0x7F, 0xA0},          // DEL, C1, blank that does not break
                                           {0x00AD, 0x00AD},      // soft hyphen
                                           {0x034F, 0x034F},      // joiner of graphemes
                                           {0x061C, 0x061C},      // Arabic letter mark
                                           {0x115F, 0x1160},      // Hangul fillers
+                                          {0x1680, 0x1680},      // Ogham blank
                                           {0x17B4, 0x17B5},      // Khmer vowels that are not shown
                                           {0x180B, 0x180F},      // Mongolian selectors and separator
-                                          {0x200B, 0x200F},      // of no width; marks of direction
-                                          {0x2028, 0x202E},      // separators of lines; embedding, override
-                                          {0x2060, 0x206F},      // word joiner; isolates
+                                          {0x2000, 0x200F},      // blanks; of no width; marks of direction
+                                          {0x2028, 0x202F},      // separators of lines; embedding, override
+                                          {0x205F, 0x206F},      // blank; word joiner; isolates
+                                          {0x3000, 0x3000},      // ideographic blank
                                           {0x3164, 0x3164},      // Hangul filler
                                           {0xFE00, 0xFE0F},      // variation selectors
                                           {0xFEFF, 0xFEFF},      // byte order mark

@@ -63,9 +63,10 @@ void animation::make_film() {
   const std::string made = seen_by_others(film_->temporary_path());
   std::vector<std::string> words;
   if (is_installed("ffmpeg")) {
-    words = {"ffmpeg",     "-y",
-             "-framerate", std::to_string(kFramesPerSecond),
-             "-i",         as_argument(as_pattern(stem_)) + "-%04d.png"};
+    words = {"ffmpeg", "-y", "-framerate", std::to_string(kFramesPerSecond), "-i",
+             as_argument(as_pattern(stem_)) + "-%04d.png",
+             // Of a longer run before there may be more.
+             "-frames:v", std::to_string(frames_)};
     // Films have sides of an even number of pixels.
     if (!film_path_.ends_with(".gif"))
       words.insert(words.end(), {"-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-pix_fmt", "yuv420p"});

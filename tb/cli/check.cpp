@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -10,6 +11,7 @@
 
 #include "tb/cli/vector_text.h"
 #include "tb/cli/verbs.h"
+#include "tb/cli/whole_number.h"
 #include "tb/device_arguments.h"
 #include "tb/progress.h"
 
@@ -141,7 +143,9 @@ void add_check(CLI::App& program, int& status) {
           "file to read: lines of blysk vectors with the codes of the result ports appended; - for standard "
           "input")
       ->capture_default_str();
-  verb->add_option("--differences", asked->shown, "how many differences to show")->capture_default_str();
+  verb->add_option("--differences", asked->shown, "how many differences to show")
+      ->check(whole_number(0, std::numeric_limits<std::uint32_t>::max()))
+      ->capture_default_str();
   verb->add_flag("--json", asked->json, "print JSON");
   verb->footer(
       "Exit status: 0 equal, 1 different, 2 not readable: another device's vectors, a line that is cut, X or "

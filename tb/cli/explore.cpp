@@ -8,8 +8,10 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 
 #include "tb/cli/verbs.h"
+#include "tb/cli/whole_number.h"
 #include "tb/cost/measured.h"
 #include "tb/cost/sweep.h"
 #include "tb/cost/table.h"
@@ -39,6 +41,7 @@ struct options {
   // merge
   std::vector<std::string> shards;
   std::string merged;
+  std::set<std::string> given;  ///< names of options on the command line, such as "--target"
 };
 
 bool is_range(const std::string& text) {
@@ -86,18 +89,22 @@ double positive_of(const std::string& name, std::string text, std::string_view u
 
 /// The configurations that --device, --format and the options leave.
 std::vector<cost::configuration> measured_rows(const options& asked) {
-  if (!asked.device.empty())
-    choose(asked.device, asked.format.empty() ? std::string(format_names[0]) : asked.format, asked.named);
-  else if (!asked.named.empty())
+  std::map<std::string, std::string> wanted = asked.named;
+  if (!asked.device.empty()) {
+    const selection chosen =
+        choose(asked.device, asked.format.empty() ? std::string(format_names[0]) : asked.format, asked.named);
+    for (auto& [name, value] : wanted) value = chosen.value(name);
+  } else if (!asked.named.empty()) {
     throw usage_error(
         fmt::format("--{} is of a device, expected --device with it", asked.named.begin()->first));
-  else if (!asked.format.empty())
+  } else if (!asked.format.empty()) {
     choose(devices().front()->name(), asked.format);
+  }
   std::vector<cost::configuration> rows = cost::read_measured(asked.measured);
   std::erase_if(rows, [&](const cost::configuration& each) {
     if (!asked.device.empty() && each.asked.of().name() != asked.device) return true;
     if (!asked.format.empty() && each.asked.format() != asked.format) return true;
-    return std::ranges::any_of(asked.named,
+    return std::ranges::any_of(wanted,
                                [&](const auto& of) { return each.asked.value(of.first) != of.second; });
   });
   cost::look_for_stale(rows);
@@ -214,8 +221,6 @@ void print_sweep(const options& asked, const cost::sweep& of, const std::vector<
 }
 
 void measure(const options& asked) {
-  if (asked.markdown || !asked.html.empty() || asked.has_tolerance)
-    throw usage_error("rows that are measured now have no cost, expected --json, --csv or a table");
   cost::sweep of = sweep_of(asked);
   if (!asked.format.empty()) {  // its word lengths, where no range is given
     const selection named = choose(of.device, asked.format, of.options);
@@ -245,24 +250,57 @@ void measure(const options& asked) {
   print_sweep(asked, of, rows);
 }
 
-int run(const options& asked) {
+/// \throws usage_error for an option that would change nothing
+void refuse_unused(const options& asked, bool is_measured) {
+  const auto refuse = [&](std::initializer_list<const char*> names, const char* why) {
+    for (const char* name : names) {
+      if (asked.given.contains(name)) throw usage_error(fmt::format("{}{}", name, why));
+    }
+  };
+  if (!is_measured)
+    refuse({"--output", "--shard", "--jobs"},
+           " is of a sweep, expected ranges of word lengths or --measure with it");
+  if (!asked.has_tolerance)
+    refuse({"--clock", "--target"}, " is a condition on what is cheapest, expected --tolerance with it");
+  if (asked.has_tolerance)
+    refuse({"--csv", "--markdown", "--html"}, " is no form of what is cheapest, expected a text or --json");
+  if (is_measured)
+    refuse({"--markdown", "--html", "--tolerance", "--measured"},
+           ": rows that are measured now have no cost, expected --json, --csv or a table");
+}
+
+/// An alias of a device becomes the device with its options.
+options without_alias(options asked) {
+  if (asked.device.empty()) return asked;
+  const auto [of, fixed] = find_device(asked.device);
+  for (const auto& [name, value] : fixed) {
+    if (const auto [own, is_new] = asked.named.emplace(name, value); !is_new && own->second != value)
+      throw usage_error(fmt::format("device {} has {} {}, expected no --{} {}", asked.device, name, value,
+                                    name, own->second));
+  }
+  asked.device = of->name();
+  return asked;
+}
+
+int run(const options& given) {
+  const options asked = without_alias(given);
+  cost::find_metric(asked.metric);
+  domain_of(asked);
+  cost::find_technology(asked.target);
   const bool has_ranges = std::ranges::any_of(asked.named, [](const auto& each) {
     // "--constant 101" is a range by its look, but an option of a device and no word length of any.
     return is_range(each.second) && std::ranges::any_of(devices(), [&](const device* of) {
              return of->widths(choose(of->name(), std::string(format_names[0]))).contains(each.first);
            });
   });
-  if (asked.measures || has_ranges) {
+  const bool is_measured = asked.measures || has_ranges;
+  refuse_unused(asked, is_measured);
+  if (is_measured) {
     measure(asked);
     return 0;
   }
-  if (!asked.output.empty() || asked.shard != "1/1")
-    throw usage_error(
-        "--output and --shard are of a sweep, expected ranges of word lengths or --measure with them");
   const std::vector<cost::configuration> rows = measured_rows(asked);
   if (asked.has_tolerance) return answer(asked, rows);
-  if (!asked.clock.empty())
-    throw usage_error("--clock is a condition on what is cheapest, expected --tolerance with it");
   print_table(asked, rows);
   return 0;
 }
@@ -318,7 +356,7 @@ void add_explore(CLI::App& program, int& status) {
                    "folder that keeps the rows of a sweep, which then goes on after a stop");
   verb->add_option("--shard", asked->shard, "which part of a sweep, such as 2/8")->capture_default_str();
   verb->add_option("--jobs", asked->jobs, "threads at work")
-      ->check(CLI::Range(1, 1024))
+      ->check(whole_number(1, 1024))
       ->capture_default_str();
   auto* merge = verb->add_subcommand("merge", "Bring the folders of all shards together");
   merge->fallthrough();  // --json and others stand behind it too
@@ -333,8 +371,17 @@ void add_explore(CLI::App& program, int& status) {
       "  blysk explore --cos 8..9 --shard 1/2 --output part1\n"
       "  blysk explore --cos 8..9 --shard 2/2 --output part2\n"
       "  blysk explore merge part1 part2 --output whole");
-  verb->callback([asked, merge, &status] {
+  verb->callback([asked, verb, merge, &status] {
+    for (const CLI::Option* each : verb->get_options()) {
+      if (each->count() > 0) asked->given.insert(each->get_name());
+    }
     if (merge->parsed()) {
+      for (const std::string& name : asked->given) {
+        if (name != "--json" && name != "--csv" && name != "--metric" && name != "--domain" &&
+            name != "FOLDERS")
+          throw usage_error(
+              fmt::format("{} says nothing to merge, expected --json, --csv, --metric or --domain", name));
+      }
       const auto [of, rows] = cost::merge_shards(asked->shards, asked->merged);
       print_sweep(*asked, of, rows);
     } else {

@@ -3,7 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
+#include <fstream>
 #include <memory>
+#include <string_view>
 
 #include "tb/cli/verbs.h"
 #include "tb/cost/measured.h"
@@ -22,6 +25,23 @@ struct options {
 
 constexpr const char* kSerial = "serial";
 
+/// An export is replaced by one of the same device and options alone.
+/// \throws usage_error if the folder holds another one under the same names
+void expect_same_export(const std::string& folder, const std::string& top, const std::string& text) {
+  std::ifstream file(std::filesystem::path(folder) / top, std::ios::binary);
+  constexpr std::string_view kBegin = "// device ";
+  for (std::string line; std::getline(file, line);) {
+    if (!line.starts_with(kBegin)) {
+      if (!line.starts_with("//")) return;  // not written here; its folder is judged by the names in it
+      continue;
+    }
+    const std::string there = line.substr(3, line.rfind(", exported from") - 3);
+    if (there == text) return;
+    throw file_error(folder, 0,
+                     fmt::format("holds {}, expected an empty directory or one with {}", there, text));
+  }
+}
+
 void run(const options& asked) {
   const selection chosen = asked.device.choose();
   const std::string name = chosen.top_name();
@@ -31,6 +51,7 @@ void run(const options& asked) {
     files[name + "_serial.v"] = verilog::serial_text(*device, name, chosen.text());
     files[name + "_serial.pcf"] = verilog::serial_pins(name);
   }
+  expect_same_export(asked.output, name + ".v", chosen.text());
   write_directory(asked.output, files);
   fmt::print("{}: read it with the file list {}.f{}\n", printable(asked.output), name,
              asked.wrapper.empty() ? "" : fmt::format(" and {}_serial.v", name));

@@ -50,19 +50,6 @@ json blocks_of(const selection& asked) {
   return blocks;
 }
 
-/// Clock cycles from the one that sees a write's strobe to the one whose strobe confirms its results; of a pipeline, clock edges
-/// from the one that takes a row to the one that finds its results; null for others.
-json latency_of(const selection& asked, const std::vector<port>& ports) {
-  const auto confirms = of_role(ports, port::role::valid);
-  const auto strobes = of_role(ports, port::role::strobe);
-  if (confirms.empty() || asked.of().draws_lines()) return nullptr;
-  if (protocol_of(ports) == protocol::handshake)
-    return asked.of().computes_as(asked) ? json(confirms.front().settling_cycles) : json(nullptr);
-  const bool by_trailing_edge =
-      std::ranges::any_of(strobes, [](const port& each) { return each.edge == write_edge::trailing; });
-  return (by_trailing_edge ? 2 : 1) + confirms.front().settling_cycles;
-}
-
 /// Rows of the measured table, as `explore` names their keys.
 json errors_of(const selection& asked) {
   json rows = json::array();
@@ -85,21 +72,24 @@ json device_listing(const device& of) {
   const selection asked = choose(of.name(), kTableFormat);
   const std::vector<port> ports = of.ports(asked);
   json results = columns_of(ports, port::role::result);
+  json aliases = json::object();
+  for (const device_alias& each : of.aliases()) aliases[each.name] = each.options;
+  const std::optional<int> latency = of.latency_cycles(asked);
   if (of.draws_lines()) results.insert(results.begin(), {"line", "pixel"});
-  return {
-      {"name", of.name()},
-      {"title", of.title()},
-      {"source", of.source()},
-      {"figure", of.figure()},
-      {"good_for", of.good_for()},
-      {"stimulus", columns_of(ports, port::role::data)},
-      {"results", results},
-      {"blocks", blocks_of(asked)},
-      {"rom_bits", rom_bits},
-      {"latency_cycles", latency_of(asked, ports)},
-      {"cycles_per_row", latency_of(asked, ports).is_null() ? json(nullptr) : json(of.cycles_per_row(asked))},
-      {"errors", errors_of(asked)},
-      {"options", options_of(of)}};
+  return {{"name", of.name()},
+          {"aliases", aliases},
+          {"title", of.title()},
+          {"source", of.source()},
+          {"figure", of.figure()},
+          {"good_for", of.good_for()},
+          {"stimulus", columns_of(ports, port::role::data)},
+          {"results", results},
+          {"blocks", blocks_of(asked)},
+          {"rom_bits", rom_bits},
+          {"latency_cycles", latency ? json(*latency) : json(nullptr)},
+          {"cycles_per_row", latency ? json(of.cycles_per_row(asked)) : json(nullptr)},
+          {"errors", errors_of(asked)},
+          {"options", options_of(of)}};
 }
 
 json listing() {

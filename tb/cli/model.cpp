@@ -102,7 +102,8 @@ void run(const options& asked) {
   }
   shown.reset();
   results.commit();
-  if (asked.clamps) fmt::print(asked.results == "-" ? stderr : stdout, "{} clamped\n", points.clamped());
+  if (asked.clamps)
+    fmt::print(is_standard_output(asked.results) ? stderr : stdout, "{} clamped\n", points.clamped());
 }
 
 }  // namespace

@@ -17,6 +17,7 @@
 #include "tb/cli/animation.h"
 #include "tb/cli/engines.h"
 #include "tb/cli/verbs.h"
+#include "tb/cli/whole_number.h"
 #include "tb/device_arguments.h"
 #include "tb/harness/systemc_engine.h"
 #include "tb/output_file.h"
@@ -180,7 +181,8 @@ bool makes_files(const options& asked) {
 
 /// Whether a result goes to standard output, so that nothing else may.
 bool takes_stdout(const options& asked) {
-  return asked.output == "-" || asked.report == "-" || asked.compare == "-";
+  return is_standard_output(asked.output) || is_standard_output(asked.report) ||
+         is_standard_output(asked.compare);
 }
 
 void check(const options& asked) {
@@ -447,7 +449,7 @@ void add_render(CLI::App& program) {
   verb->add_option(
           "--animate", asked->frames,
           "frames of a whole turn of the object, OUTPUT-0001.png and so on; the report has one for each")
-      ->check(CLI::Range(1, 9999));
+      ->check(whole_number(1, 9999));
   verb->add_option("--film", asked->film,
                    "film to write of them: .mp4 or .webm (by ffmpeg), .gif (by ffmpeg or ImageMagick)");
   verb->add_option("--watch", asked->watch,
@@ -464,11 +466,11 @@ void add_render(CLI::App& program) {
   verb->add_option("--target", asked->target, "X,Y,Z of what it looks at");
   verb->add_option("--fov", asked->fov_deg, "degrees over the shorter side")->check(CLI::Range(0.001, 179.0));
   verb->add_option("--exponent", asked->exponent, "of all materials, in place of their own")
-      ->check(CLI::Range(1, 1000));
+      ->check(whole_number(1, 1000));
   verb->add_option("--density", asked->density, "of a built-in shape's mesh")
-      ->check(CLI::Range(2, scene::kMostDensity));
+      ->check(whole_number(2, scene::kMostDensity));
   verb->add_option("--threads", asked->threads, "of the host")
-      ->check(CLI::Range(1U, 256U))
+      ->check(whole_number(1, 256))
       ->capture_default_str();
   for (CLI::Option* each : verb->get_options({})) {
     if (each->get_expected_max() == 1) each->take_last();  // a script's own come first

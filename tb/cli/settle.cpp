@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <random>
@@ -10,6 +11,7 @@
 #include <vector>
 
 #include "tb/cli/verbs.h"
+#include "tb/cli/whole_number.h"
 #include "tb/cost/delays.h"
 #include "tb/device_arguments.h"
 #include "tb/harness/settling_bench.h"
@@ -190,8 +192,6 @@ struct wrong_bit {
 };
 
 void run(const options& asked) {
-  if (asked.pairs < 10 || asked.pairs > 1'000'000'000)
-    throw std::invalid_argument(fmt::format("--pairs is {}, expected 10 to 1000000000", asked.pairs));
   const selection device = asked.device.choose();
   const device_delays delays = cost::read_delays(asked.delays, device, cost::digest_of(device));
   harness::settling_bench bench(device, delays);
@@ -279,8 +279,12 @@ void add_settle(CLI::App& program) {
   verb->add_option("--delays", asked->delays,
                    "delays of the blocks, as scripts/synth --delays writes them; without it those that were "
                    "measured when the program was built");
-  verb->add_option("--pairs", asked->pairs, "pairs of writes to try")->capture_default_str();
-  verb->add_option("--seed", asked->seed, "of the random writes")->capture_default_str();
+  verb->add_option("--pairs", asked->pairs, "pairs of writes to try")
+      ->check(whole_number(10, 1'000'000'000))
+      ->capture_default_str();
+  verb->add_option("--seed", asked->seed, "of the random writes")
+      ->check(whole_number(0, std::numeric_limits<std::uint64_t>::max()))
+      ->capture_default_str();
   verb->add_flag("--json", asked->json, "print a JSON object");
   verb->footer(
       "A gap that was seen is no bound: another pair may settle later, up to the bound.\n"

@@ -183,7 +183,7 @@ void report(const options& asked, const selection& device, const outcome& run, c
                         timed.period_ns, ns(timed.settled_after), timed.early);
   }
   text += fmt::format(": {:.2f} s, {:.0f} rows/s", run.seconds, rate);
-  fmt::print(asked.results == "-" ? stderr : stdout, "{}\n", asked.json ? json.dump(2) : text);
+  fmt::print(is_standard_output(asked.results) ? stderr : stdout, "{}\n", asked.json ? json.dump(2) : text);
 }
 
 /// \throws std::logic_error if the engine has delivered another number of pixels

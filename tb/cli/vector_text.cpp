@@ -181,7 +181,9 @@ std::int64_t answer_reader::parse_code(const port& of, std::string_view digits) 
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), bits, 16);
   const bool fits = width == 64 || bits >> width == 0;
   if (error != std::errc{} || end != digits.data() + digits.size() || !fits) {
-    const bool is_unknown = digits.find_first_of("xXzZ") != std::string_view::npos;
+    const bool is_unknown =
+        digits.find_first_of("xXzZ", digits.starts_with("0x") || digits.starts_with("0X") ? 2 : 0) !=
+        std::string_view::npos;
     throw lines_.error(fmt::format("{} is '{}'{}, expected hexadecimal digits of {} bits", of.column,
                                    shown(digits), is_unknown ? ", unknown" : "", width));
   }

@@ -2,10 +2,12 @@
 #include <fmt/format.h>
 
 #include <functional>
+#include <limits>
 #include <memory>
 
 #include "tb/cli/vector_text.h"
 #include "tb/cli/verbs.h"
+#include "tb/cli/whole_number.h"
 #include "tb/device_arguments.h"
 #include "tb/inputs.h"
 #include "tb/output_file.h"
@@ -67,9 +69,11 @@ void add_vectors(CLI::App& program) {
           "--level", asked->level,
           "1: every n with the cosines at the ends of the range and of the lobe, and 10000 random writes; 2: "
           "every input up to q12, of wider formats more around the ends and 10^6 random writes")
-      ->check(CLI::Range(1, 2))
+      ->check(whole_number(1, 2))
       ->capture_default_str();
-  verb->add_option("--seed", asked->seed, "of the random writes")->capture_default_str();
+  verb->add_option("--seed", asked->seed, "of the random writes")
+      ->check(whole_number(0, std::numeric_limits<std::uint64_t>::max()))
+      ->capture_default_str();
   verb->add_option("--output", asked->output, "file to write, - for standard output")->capture_default_str();
   verb->footer(
       "A line begins with # and names the device; each line below it is one write, the raw codes of the "

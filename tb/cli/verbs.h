@@ -18,7 +18,4 @@ void add_simulate(CLI::App& program, int& status);
 void add_check(CLI::App& program, int& status);
 void add_explore(CLI::App& program, int& status);
 
-/// \param status  becomes the program's exit status
-void add_explore(CLI::App& program, int& status);
-
 }  // namespace blysk::cli

@@ -195,11 +195,17 @@ domain find_domain(const std::string& name) {
   throw std::invalid_argument(fmt::format("domain {} does not exist, expected {}", name, names));
 }
 
+bool is_judged(const selection& asked) {
+  const std::optional<selection> other = asked.of().computes_as(asked);
+  return dynamic_cast<const specular::device_of_points*>(other ? &other->of() : &asked.of()) != nullptr;
+}
+
 judged judge(const selection& asked) {
-  if (dynamic_cast<const specular::device_of_points*>(&asked.of()) == nullptr) {
+  if (!is_judged(asked)) {
     throw std::invalid_argument(fmt::format(
         "device {} has no BRDF of n and cos, expected one that shades points", asked.of().name()));
   }
+  if (const std::optional<selection> other = asked.of().computes_as(asked)) return judge(*other);
   return {[asked] { return asked.of().make_bit(asked); },
           columns(asked.of().ports(asked), port::role::data).layout(), asked.fraction()};
 }

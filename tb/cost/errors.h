@@ -82,6 +82,9 @@ struct judged {
 /// \throws std::invalid_argument if the device computes no BRDF of n and cos
 judged judge(const selection& asked);
 
+/// Whether judge() takes the device: it shades points, or computes as one that does.
+bool is_judged(const selection& asked);
+
 /// The same at word lengths of one's own; `cos` names those of the cosine.
 judged judge(const selection& asked, const word_lengths& bits);
 

@@ -116,14 +116,6 @@ int configuration::cycles_per_result() const {
   return asked.of().cycles_per_row(asked);
 }
 
-int configuration::latency_cycles() const {
-  int settling = 0;
-  for (const port& each : asked.of().ports(asked)) {
-    if (each.is == port::role::valid) settling = each.settling_cycles;
-  }
-  return 1 + settling;
-}
-
 double configuration::ice40_mhz() const {
   return cost.hx8k ? cost.hx8k->least() : 0;
 }
@@ -151,9 +143,10 @@ std::string words_of(const std::map<std::string, std::string>& options) {
 
 std::string configuration::command() const {
   const std::string words = words_of(given_options(asked));
-  return fmt::format(
-      "scripts/synth {0} {1}{2} && build/bin/blysk explore --measure --device {0} --format {1}{2}",
-      asked.of().name(), asked.format(), words);
+  const std::string hardware = fmt::format("scripts/synth {} {}{}", asked.of().name(), asked.format(), words);
+  if (!is_judged(asked)) return hardware;
+  return fmt::format("{} && build/bin/blysk explore --measure --device {} --format {}{}", hardware,
+                     asked.of().name(), asked.format(), words);
 }
 
 std::string configuration::label() const {

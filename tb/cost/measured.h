@@ -41,9 +41,7 @@ struct configuration {
   std::string digest = {};                     ///< of the Verilog that is exported today; empty if none is
   bool is_stale = false;                       ///< a part of the cost belongs to another Verilog
 
-  /// Clock cycles from the edge that takes the input to the one that confirms its results, and from one result to the
-  /// next.
-  int latency_cycles() const;
+  /// Clock cycles from one result to the next.
   int cycles_per_result() const;
 
   /// MHz that each seed reaches, or that the longest path allows; 0 if not measured.

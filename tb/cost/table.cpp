@@ -87,7 +87,8 @@ void add_cost(json& row, const configuration& of) {
   row["fmax_mhz_most"] = of.cost.hx8k ? json(of.cost.hx8k->most()) : json(nullptr);
   row["area_nand2"] = of.cost.osu018 ? json(of.cost.osu018->area_nand2) : json(nullptr);
   row["path_ns"] = of.cost.osu018 ? json(of.cost.osu018->path_ns) : json(nullptr);
-  row["latency_cycles"] = of.latency_cycles();
+  const std::optional<int> latency = of.asked.of().latency_cycles(of.asked);
+  row["latency_cycles"] = latency ? json(*latency) : json(nullptr);
   row["cycles_per_result"] = of.cycles_per_result();
   row["results_per_s_ice40"] = or_null(rounded(1e6 * of.ice40_mhz() / of.cycles_per_result(), 1));
   row["results_per_s_asic"] = or_null(rounded(1e6 * of.asic_mhz() / of.cycles_per_result(), 1));
@@ -132,7 +133,8 @@ std::vector<std::string> cells_of(const configuration& of, const metric& by, dom
   cells.push_back(cost.osu018 ? fmt::format("{:.0f}", cost.osu018->area_nand2) : kNothing);
   cells.push_back(cost.osu018 ? fmt::format("{:.2f}", cost.osu018->path_ns) : kNothing);
   cells.push_back(million(of.asic_mhz()));
-  cells.push_back(fmt::format("{}", of.latency_cycles()));
+  const std::optional<int> latency = of.asked.of().latency_cycles(of.asked);
+  cells.push_back(latency ? fmt::format("{}", *latency) : kNothing);
   for (const char* engine : {"golden", "bit", "systemc", "verilator"}) {
     const auto found = of.host.find(engine);
     cells.push_back(found == of.host.end() ? kNothing : number_text(found->second.seconds));

@@ -66,8 +66,12 @@ std::string help_of(const shared_option& of, purpose is_for) {
 
 void add_device_arguments(CLI::App& verb, asked_device& arguments, purpose is_for) {
   std::vector<std::string> names;
-  std::ranges::transform(devices(), std::back_inserter(names),
-                         [](const device* each) { return each->name(); });
+  for (const device* each : devices()) {
+    std::string with_aliases;
+    for (const device_alias& other : each->aliases())
+      with_aliases += (with_aliases.empty() ? " or " : ", ") + other.name;
+    names.push_back(each->name() + with_aliases);
+  }
   verb.add_option("--device", arguments.device, fmt::format("{}", fmt::join(names, ", ")))
       ->capture_default_str();
   verb.add_option("--format", arguments.format,

@@ -53,6 +53,17 @@ int device::cycles_per_row(const selection& asked) const {
   return cycles;
 }
 
+std::optional<int> device::latency_cycles(const selection& asked) const {
+  const std::vector<port> all = ports(asked);
+  const auto confirms = of_role(all, port::role::valid);
+  if (confirms.empty() || draws_lines()) return std::nullopt;
+  if (protocol_of(all) == protocol::handshake)
+    return computes_as(asked) ? std::optional(confirms.front().settling_cycles) : std::nullopt;
+  const bool by_trailing_edge = std::ranges::any_of(
+      of_role(all, port::role::strobe), [](const port& each) { return each.edge == write_edge::trailing; });
+  return (by_trailing_edge ? 2 : 1) + confirms.front().settling_cycles;
+}
+
 std::string device::identifier() const {
   std::string result = name();
   std::ranges::replace(result, '-', '_');
@@ -83,16 +94,21 @@ std::string selection::text() const {
   return fmt::format("device {}, format {}{}{}", device_->name(), format_, words.empty() ? "" : ", ", words);
 }
 
-namespace {
-
-const device& find_device(const std::string& name) {
-  const auto found = std::ranges::find(devices(), name, [](const device* each) { return each->name(); });
-  if (found != devices().end()) return **found;
+std::pair<const device*, std::map<std::string, std::string>> find_device(const std::string& name) {
   std::vector<std::string> names;
-  for (const device* each : devices()) names.push_back(each->name());
+  for (const device* each : devices()) {
+    if (each->name() == name) return {each, {}};
+    names.push_back(each->name());
+    for (device_alias& other : each->aliases()) {
+      if (other.name == name) return {each, std::move(other.options)};
+      names.push_back(std::move(other.name));
+    }
+  }
   throw std::invalid_argument(
       fmt::format("device {} does not exist, expected {}", name, fmt::join(names, ", ")));
 }
+
+namespace {
 
 void check_value(const option& known, const std::string& value, purpose is_for) {
   if (is_for == purpose::formula && known.is_wired && value != known.preset) {
@@ -116,7 +132,8 @@ void check_value(const option& known, const std::string& value, purpose is_for) 
 selection choose(const std::string& device_name, const std::string& format,
                  const std::map<std::string, std::string>& options, purpose is_for) {
   selection chosen;
-  chosen.device_ = &find_device(device_name);
+  auto [found_device, fixed] = find_device(device_name);
+  chosen.device_ = found_device;
   chosen.purpose_ = is_for;
   if (std::ranges::find(format_names, format) == std::end(format_names)) {
     throw std::invalid_argument(
@@ -125,6 +142,7 @@ selection choose(const std::string& device_name, const std::string& format,
   chosen.format_ = format;
   const std::vector<option> known = chosen.device_->options();
   for (const option& each : known) chosen.values_[each.name] = each.preset;
+  for (const auto& [name, value] : fixed) chosen.values_[name] = value;
   for (const auto& [name, value] : options) {
     const auto found = std::ranges::find(known, name, &option::name);
     if (found == known.end()) {
@@ -136,9 +154,13 @@ selection choose(const std::string& device_name, const std::string& format,
                       names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "))));
     }
     check_value(*found, value, is_for);
+    if (const auto own = fixed.find(name); own != fixed.end() && own->second != value)
+      throw std::invalid_argument(fmt::format("device {} has {} {}, expected no --{} {}", device_name, name,
+                                              own->second, name, value));
     chosen.values_[name] = value;
   }
   chosen.device_->check(chosen);
+  chosen.values_ = chosen.device_->canonical(chosen);
   return chosen;
 }
 

@@ -146,6 +146,10 @@ module {0}_bench;
     end
     if (!$value$plusargs("answers=%s", path)) path = "answers.txt";
     answers = $fopen(path, "w");
+    if (answers == 0) begin
+      $display("%0s cannot be written, expected a file for the answers; +answers=FILE names it", path);
+      $finish(1);
+    end
     taken = $fgets(header, vectors);
     $fwrite(answers, "%0s", header);
     {3} = 0;

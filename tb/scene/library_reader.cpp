@@ -165,7 +165,9 @@ mesh import(const std::string& path, std::vector<std::string>& messages) {
   Assimp::Importer importer;
   // Instances become triangles in the world's coordinates.
   const aiScene* read = importer.ReadFile(path, aiProcess_PreTransformVertices);
-  if (read == nullptr) throw usage_error(importer.GetErrorString());
+  if (read == nullptr)
+    throw usage_error(fmt::format("cannot be read ({}), expected a mesh that the library assimp reads",
+                                  importer.GetErrorString()));
   mesh_builder built;
   for (unsigned i = 0; i < read->mNumMaterials; ++i)
     built.materials.push_back(make_legal(material_of(*read->mMaterials[i]), messages));

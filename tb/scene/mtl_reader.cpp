@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "tb/line_reader.h"
 #include "tb/scene/obj_reader.h"
 #include "tb/scene/text_lines.h"
 #include "tb/usage_error.h"
@@ -15,6 +16,9 @@ class mtl_line {
  public:
   mtl_line(const std::string& path, const text_lines& line)
       : path_(path), keyword_(line.keyword()), rest_(line.value()), number_(line.number()) {}
+
+  /// What stands behind the numbers that were read.
+  std::string_view rest() const { return rest_; }
 
   double number() {
     const std::string_view word = take_word(rest_);
@@ -30,6 +34,7 @@ class mtl_line {
   std::optional<rgb> colour(std::vector<std::string>& notes) {
     if (rest_.starts_with("spectral") || rest_.starts_with("xyz")) {
       notes.push_back(fmt::format("{} {} dropped, RGB is read", keyword_, take_word(rest_)));
+      rest_ = {};
       return {};
     }
     rgb values{};
@@ -52,21 +57,26 @@ bool is_ignored(std::string_view keyword) {
   return std::ranges::find(kIgnored, keyword) != kIgnored.end();
 }
 
+/// Gives a property its value, and notes what is not taken.
+template <class Value>
+void take_value(mtl_line& of, std::string_view keyword, const Value& value, Value& to,
+                std::vector<std::string>& notes) {
+  if (to) notes.push_back(fmt::format("{} given again, the last one taken", keyword));
+  if (!of.rest().empty()) notes.push_back(fmt::format("'{}' behind {} dropped", shown(of.rest()), keyword));
+  to = value;
+}
+
 void read_property(const std::string& path, const text_lines& line, raw_material& to) {
   mtl_line of(path, line);
   const std::string_view keyword = line.keyword();
-  if (keyword == "Ka") {
-    to.ka = of.colour(to.notes);
-  } else if (keyword == "Kd") {
-    to.kd = of.colour(to.notes);
-  } else if (keyword == "Ks") {
-    to.ks = of.colour(to.notes);
-  } else if (keyword == "Ke") {
-    to.ke = of.colour(to.notes);
-  } else if (keyword == "Ns") {
-    to.n = of.number();
-  } else if (keyword == "illum") {
-    to.illum = of.number();
+  if (keyword == "Ka" || keyword == "Kd" || keyword == "Ks" || keyword == "Ke") {
+    std::optional<rgb>& share = keyword == "Ka"   ? to.ka
+                                : keyword == "Kd" ? to.kd
+                                : keyword == "Ks" ? to.ks
+                                                  : to.ke;
+    take_value(of, keyword, of.colour(to.notes), share, to.notes);
+  } else if (keyword == "Ns" || keyword == "illum") {
+    take_value(of, keyword, std::optional(of.number()), keyword == "Ns" ? to.n : to.illum, to.notes);
   } else if (keyword == "d" || keyword == "Tr") {
     std::string_view value = line.value();
     if (value.starts_with("-halo")) take_word(value);

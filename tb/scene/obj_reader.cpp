@@ -4,10 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <limits>
 
+#include "tb/line_reader.h"
 #include "tb/scene/mesh_builder.h"
 #include "tb/scene/text_lines.h"
 #include "tb/usage_error.h"
@@ -61,7 +63,7 @@ class obj_reader {
     } else if (keyword == "mtllib") {
       read_libraries(value);
     } else if (keyword == "s") {
-      smoothing_ = value == "off" ? mesh_builder::kFlat : read_group(value);
+      smoothing_ = read_group(value);
     } else if (keyword != "vt" && keyword != "g" && keyword != "o") {
       ++dropped_[fmt::format("lines '{}'", printable(keyword.substr(0, 20)))];
     }
@@ -80,11 +82,18 @@ class obj_reader {
     return {at[0], at[1], at[2]};
   }
 
+  /// "off", "on" for the first group, or a number; in any case.
   std::int32_t read_group(std::string_view value) const {
+    std::string word(value);
+    std::ranges::transform(word, word.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    if (word == "off") return mesh_builder::kFlat;
+    if (word == "on") return 1;
     std::int32_t group = 0;
     const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), group);
     if (error != std::errc{} || end != value.data() + value.size() || group < 0)
-      fail(fmt::format("smoothing group is '{}', expected off or a number", printable(value)));
+      fail(fmt::format("smoothing group is '{}', expected off, on or a number of at most {}", shown(value),
+                       std::numeric_limits<std::int32_t>::max()));
     return group;
   }
 
@@ -170,6 +179,7 @@ class obj_reader {
     }
     for (raw_material& each : read_mtl(library.path, decoded(library.path, std::move(library.bytes)))) {
       const std::string key = each.name;
+      if (known_.contains(key)) each.notes.push_back("defined again, the last one taken");
       known_.insert_or_assign(key, std::move(each));
     }
   }

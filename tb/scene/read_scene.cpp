@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "tb/line_reader.h"
 #include "tb/scene/library_reader.h"
 #include "tb/scene/obj_reader.h"
 #include "tb/scene/shapes.h"
@@ -31,12 +32,17 @@ read_world read_scene(const std::string& name, int density) {
     return read;
   }
   const std::filesystem::path path(name);
-  if (!std::filesystem::exists(path)) {
+  std::error_code error;
+  if (!std::filesystem::exists(path, error)) {
+    if (error)
+      throw file_error(shown(name), 0,
+                       fmt::format("cannot be read ({}), expected a shape or a file", error.message()));
     std::string names;
     for (const shape& each : shapes()) names += fmt::format("{}, ", each.name);
     throw file_error(name, 0, fmt::format("does not exist, expected {}or a file", names));
   }
-  if (std::filesystem::is_directory(path)) throw file_error(name, 0, "is a directory, expected a file");
+  if (std::filesystem::is_directory(path, error))
+    throw file_error(name, 0, "is a directory, expected a file");
   const std::string ending = ending_of(name);
   if (ending == ".json") return read_scene_file(name, decoded(name, read_file(name)), density);
   if (ending == ".obj") {

@@ -6,7 +6,9 @@
 #include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <set>
 
+#include "tb/line_reader.h"
 #include "tb/scene/read_scene.h"
 #include "tb/scene/shapes.h"
 #include "tb/usage_error.h"
@@ -32,7 +34,7 @@ class field {
     std::vector<std::pair<std::string, field>> all;
     for (const auto& [key, value] : value_.items()) {
       if (std::ranges::find(known, key) == known.end())
-        fail(fmt::format("has '{}', expected {}", printable(key), fmt::join(known, ", ")));
+        fail(fmt::format("has '{}', expected {}", shown(key), fmt::join(known, ", ")));
       all.emplace_back(key, field(path_, value, where_.empty() ? key : where_ + "." + key));
     }
     return all;
@@ -48,12 +50,12 @@ class field {
 
   double number(double least, double most) const {
     if (!value_.is_number() || !(value_.get<double>() >= least && value_.get<double>() <= most))
-      fail(fmt::format("is {}, expected a number in [{}, {}]", value_.dump(), least, most));
+      fail(fmt::format("is {}, expected a number in [{}, {}]", shown_value(), least, most));
     return value_.get<double>();
   }
   int integer(int least, int most) const {
     const double value = number(least, most);
-    if (value != std::floor(value)) fail(fmt::format("is {}, expected an integer", value_.dump()));
+    if (value != std::floor(value)) fail(fmt::format("is {}, expected an integer", shown_value()));
     return static_cast<int>(value);
   }
   std::string text() const {
@@ -82,6 +84,11 @@ class field {
   }
 
  private:
+  /// Not what an array or object holds: it may be deeper than the stack.
+  std::string shown_value() const {
+    return value_.is_structured() ? fmt::format("an {}", value_.type_name()) : shown(value_.dump());
+  }
+
   const std::string& path_;
   const json& value_;
   std::string where_;
@@ -140,19 +147,35 @@ void read_materials(const field& from, const std::vector<std::pair<std::string, 
     if (!found) {
       std::vector<std::string> names;
       std::ranges::transform(materials, std::back_inserter(names), &material::name);
-      from.fail(fmt::format("has '{}', which the mesh has not, expected *, {}", printable(name),
+      from.fail(fmt::format("has '{}', which the mesh has not, expected *, {}", shown(name),
                             fmt::join(names, ", ")));
     }
   }
 }
 
 json parsed(const std::string& path, const std::string& text) {
+  std::vector<std::set<std::string>> keys;  // of the objects that are open
+  const auto watch = [&](int, json::parse_event_t event, json& value) {
+    if (event == json::parse_event_t::object_start) keys.emplace_back();
+    if (event == json::parse_event_t::object_end) keys.pop_back();
+    if (event == json::parse_event_t::key && !keys.back().insert(value.get<std::string>()).second)
+      throw file_error(
+          path, 0,
+          fmt::format("has '{}' twice in one object, expected it once", shown(value.get<std::string>())));
+    return true;
+  };
   try {
-    return json::parse(text);
+    return json::parse(text, watch);
   } catch (const json::parse_error& error) {
-    const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
-    const auto line = static_cast<std::size_t>(1 + std::count(text.begin(), end, '\n'));
-    throw file_error(path, line, "is no JSON here, expected a scene as docs/scenes.md has it");
+    const std::string_view before = std::string_view(text).substr(0, error.byte - (error.byte > 0 ? 1 : 0));
+    const auto line = static_cast<std::size_t>(1 + std::ranges::count(before, '\n'));
+    const std::size_t column = before.size() - (before.rfind('\n') + 1) + 1;
+    const std::string_view rest = std::string_view(text).substr(before.size());
+    throw file_error(
+        path, line,
+        fmt::format("is no JSON here, expected a scene as docs/scenes.md has it; column {} has {}", column,
+                    rest.empty() ? "the end of the file"
+                                 : fmt::format("'{}'", shown(rest.substr(0, rest.find_first_of("\r\n"))))));
   } catch (const json::out_of_range&) {
     throw file_error(path, 0, "has a number beyond 1.8e308, expected a scene as docs/scenes.md has it");
   }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tb/scene/text_lines.h"
 
+#include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstdint>
 #include <cstdio>
@@ -106,13 +108,39 @@ std::string_view text_lines::take_part() {
   const bool is_pair = end != std::string_view::npos && rest_.substr(end, 2) == "\r\n";
   rest_.remove_prefix(end == std::string_view::npos ? rest_.size() : end + (is_pair ? 2 : 1));
   ++next_number_;
-  return part.substr(0, part.find('#'));
+  return part;
 }
+
+namespace {
+
+bool holds_name(std::string_view keyword) {
+  static constexpr std::array<std::string_view, 5> kNaming{"newmtl", "usemtl", "mtllib", "o", "g"};
+  return std::ranges::find(kNaming, keyword) != kNaming.end();
+}
+
+bool is_blank_at(std::string_view text, std::size_t at) {
+  return at >= text.size() || kBlanks.find(text[at]) != std::string_view::npos;
+}
+
+/// The text in front of its comment.
+std::string_view without_comment(std::string_view text, bool holds_name) {
+  std::size_t at = text.find('#');
+  // The place before the first is npos, beyond the end.
+  while (holds_name && at != std::string_view::npos &&
+         !(is_blank_at(text, at - 1) && is_blank_at(text, at + 1)))
+    at = text.find('#', at + 1);
+  return text.substr(0, at);
+}
+
+}  // namespace
 
 bool text_lines::next() {
   while (!rest_.empty()) {
     number_ = next_number_;
     std::string_view line = take_part();
+    std::string_view words = line;
+    const bool has_name = holds_name(take_word(words));
+    line = without_comment(line, has_name);
     if (line.ends_with('\\')) {
       joined_.clear();
       while (line.ends_with('\\')) {
@@ -121,7 +149,7 @@ bool text_lines::next() {
           line = {};
           break;
         }
-        line = take_part();
+        line = without_comment(take_part(), has_name);
       }
       joined_.append(line);
       line = joined_;

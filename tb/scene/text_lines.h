@@ -18,8 +18,9 @@ std::string read_file(const std::string& path);
 /// \throws usage_error if it holds zeros, as a text does not
 std::string decoded(const std::string& path, std::string bytes);
 
-/// Lines of a text: ended by LF, CR LF or CR; a backslash at the end joins the next one; "#" begins a comment; blanks
-/// around are left out. What is empty then is passed over.
+/// Lines of a text: ended by LF, CR LF or CR; a backslash at the end joins the next one; blanks around are left out. What is
+/// empty then is passed over. "#" begins a comment; behind a keyword that names something, as "usemtl a#1" and
+/// "newmtl Material #25" do, only where a blank or nothing is on either side of it.
 class text_lines {
  public:
   explicit text_lines(std::string_view text) : rest_(text) {}

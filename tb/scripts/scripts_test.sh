@@ -158,6 +158,8 @@ END
       [ "$(cat said)" = "$2" ] || fail "$1: $(cat said)"
     }
     names waves.vcd '--device some-device --format q12 --as-published'
+    sed 's/^blysk-device.*/blysk-device --device some-device --cuts 2,5 --format q8/' waves.vcd >cuts.vcd
+    names cuts.vcd '--device some-device --cuts 2,5 --format q8'
     # A terabyte of waves takes no time.
     cp waves.vcd large.vcd
     truncate -s 1T large.vcd

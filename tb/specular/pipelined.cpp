@@ -122,6 +122,26 @@ void pipelined::check(const selection& asked) const {
   if (asked.is_for() == purpose::hardware) cuts(asked);
 }
 
+std::map<std::string, std::string> pipelined::canonical(const selection& asked) const {
+  std::map<std::string, std::string> values = asked.values();
+  if (asked.is_preset() || asked.is_for() == purpose::formula) return values;
+  const pipeline_cuts found = cuts(asked);
+  const int last = static_cast<int>(levels_.size()) - 1;
+  const int stages = 1 + found.between(0, last);
+  std::string& list = values["cuts"];
+  std::string& count = values["stages"];
+  list.clear();
+  count.clear();
+  if (found.places == balanced()[static_cast<std::size_t>(stages) - 1]) {
+    if (stages != fewest_stages()) count = std::to_string(stages);
+    return values;
+  }
+  for (int cut = 1; cut <= last; ++cut) {
+    if (found.between(cut - 1, cut) > 0) list += fmt::format("{}{}", list.empty() ? "" : ",", cut);
+  }
+  return values;
+}
+
 std::string pipelined::words(const selection& asked) const {
   const selection other = of_other(asked);
   const std::string own = other.of().words(other);

@@ -32,6 +32,7 @@ class pipelined : public device {
   std::string figure() const override;
   std::vector<option> options() const override;
   void check(const selection& asked) const override;
+  std::map<std::string, std::string> canonical(const selection& asked) const override;
   std::string words(const selection& asked) const override;
   std::unique_ptr<engine> make_bit(const selection& asked) const override;
   std::int64_t rom_bits(const selection& asked) const override;

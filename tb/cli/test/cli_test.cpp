@@ -70,6 +70,41 @@ TEST_CASE("export writes the device's Verilog", "[cli]") {
   CHECK(run_blysk(folder, "export --output " + quoted(folder.path("two/levels/"))).status == 0);
 }
 
+TEST_CASE("an export replaces one with the same options alone", "[cli]") {
+  const scratch folder;
+  const std::string to = " --format q8 --output " + quoted(folder.path("rtl"));
+  REQUIRE(run_blysk(folder, "export --coefficient published" + to).status == 0);
+  const std::string top = folder.path("rtl/" + top_of("q8") + ".v");
+  const std::string before = slurp(top);
+  CHECK(run_blysk(folder, "export --coefficient published" + to).status == 0);
+  const outcome other = run_blysk(folder, "export" + to);
+  CHECK(other.status == 2);
+  CHECK(other.err.starts_with("blysk: " + folder.path("rtl") + ": holds device " + kDevice +
+                              ", format q8, coefficient published"));
+  CHECK(other.err.find("expected an empty directory or one with device " + kDevice +
+                       ", format q8, coefficient derived") != std::string::npos);
+  CHECK(slurp(top) == before);
+}
+
+TEST_CASE("standard output by its other names is standard output", "[cli]") {
+  const scratch folder;
+  const std::string in = folder.write("in.csv", kGood);
+  const std::string simulated = run_blysk(folder, simulate(in, "-")).out;
+  fs::create_symlink("/dev/stdout", folder.path("link"));
+  for (const std::string name : {"/dev/stdout", "/dev/fd/1", "/proc/self/fd/1", "/dev/../dev/stdout", ""}) {
+    CAPTURE(name);
+    const outcome run = run_blysk(folder, simulate(in, name.empty() ? folder.path("link") : name));
+    CHECK(run.status == 0);
+    CHECK(run.out == simulated);
+    CHECK(std::count(run.err.begin(), run.err.end(), '\n') == 1);
+  }
+  const std::string all = folder.write("all.csv", "before\n");
+  REQUIRE(std::system((quoted(BLYSK_PROGRAM) + " " + simulate(in, "/dev/stdout") + " >>" + quoted(all) +
+                       " 2>/dev/null")
+                          .c_str()) == 0);
+  CHECK(slurp(all) == "before\n" + simulated);
+}
+
 TEST_CASE("an export that cannot be written leaves everything as it was", "[cli]") {
   const scratch folder;
   const auto fails = [&](const std::string& arguments, const std::string& message,
@@ -620,7 +655,10 @@ TEST_CASE("vectors repeat, and depend on their seed", "[cli]") {
   CHECK(all.starts_with("# blysk vectors --device " + kDevice +
                         " --format q8; 257000 vectors of n cos r g b\n"));
   CHECK(std::count(all.begin(), all.end(), '\n') == 257'001);
-  for (const std::string arguments : {"vectors --level 3", "vectors --format q9", "vectors --seed x"}) {
+  for (const std::string arguments : {"vectors --level 3", "vectors --format q9", "vectors --seed x",
+                                      "vectors --seed -1", "vectors --seed ''", "vectors --seed ' 1'",
+                                      "vectors --seed 0x10", "vectors --seed 18446744073709551616",
+                                      "settle --seed -1", "settle --pairs -1", "check --differences -1"}) {
     const outcome failed = run_blysk(folder, arguments);
     CAPTURE(arguments, failed.err);
     CHECK(failed.status == 2);
@@ -646,6 +684,7 @@ TEST_CASE("answers that cannot be read are refused, and are no difference", "[cl
         ":1: blue is 'xx00', unknown, expected hexadecimal digits of 16 bits"},
        {"001 100 ff ff ff ff00 Z ff00\n",
         ":1: green is 'Z', unknown, expected hexadecimal digits of 16 bits"},
+       {"0x001 100 ff ff ff 0 0 0\n", ":1: n is '0x001', expected hexadecimal digits of 10 bits"},
        {"001 100 ff ff ff 1ff00 ff00 ff00\n", ":1: red is '1ff00', expected hexadecimal digits of 16 bits"},
        {"001 100 ff ff ff -1 ff00 ff00\n", ":1: red is '-1', expected hexadecimal digits of 16 bits"},
        {"000 100 ff ff ff 0 0 0\n", ":1: n is 0, expected a code 1..3e8"},

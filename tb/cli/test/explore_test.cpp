@@ -105,6 +105,57 @@ TEST_CASE("explore prints tables, CSV and a page", "[explore]") {
   CHECK_THAT(slurp(folder.path("page.html")), Contains("\"lut\":1000") && Contains("</html>"));
 }
 
+TEST_CASE("each command that explore prints is one that runs, up to its measurements", "[explore]") {
+  const scratch folder;
+  const json rows = json::parse(run_blysk(folder, "explore --json --domain whole").out);
+  const json listed = json::parse(run_blysk(folder, "list --json").out);
+  for (const json& row : rows) {
+    const auto command = row["command"].get<std::string>();
+    CAPTURE(command);
+    const auto begin = command.find("explore --measure");
+    if (begin == std::string::npos) {
+      CHECK(row["max_abs_err"].is_null());
+      continue;
+    }
+    // A word length that no device has stands where the measurement would begin.
+    const outcome run = run_blysk(folder, command.substr(begin) + " --shard 0/1");
+    CHECK(run.status == 2);
+    CHECK_THAT(run.err, Contains("--shard is 0/1, expected one of so many"));
+    // What is listed of a device in its own form is what explore says of that form.
+    if (!row["options"].empty()) continue;
+    for (const json& device : listed["devices"]) {
+      if (device["name"] == row["device"]) CHECK(device["latency_cycles"] == row["latency_cycles"]);
+    }
+  }
+}
+
+TEST_CASE("options in other words choose the same rows", "[explore]") {
+  const scratch folder;
+  const auto rows = [&](const std::string& arguments) {
+    const outcome run = run_blysk(folder, "explore --json --domain whole " + arguments);
+    CAPTURE(arguments, run.err);
+    REQUIRE(run.status == 0);
+    return json::parse(run.out);
+  };
+  const json all = json::parse(run_blysk(folder, "list --json").out);
+  for (const json& device : all["devices"]) {
+    for (const auto& [alias, options] : device["aliases"].items()) {
+      CAPTURE(alias);
+      std::string words = "--device " + device["name"].get<std::string>();
+      for (const auto& [name, value] : options.items())
+        words += " --" + name + " " + value.get<std::string>();
+      CHECK(rows("--device " + alias) == rows(words));
+    }
+    // "2.0" is 2.
+    for (const json& option : device["options"]) {
+      if (option["name"] != "stages") continue;
+      const std::string name = device["name"];
+      CHECK_FALSE(rows("--device " + name + " --stages 2").empty());
+      CHECK(rows("--device " + name + " --stages 2.0") == rows("--device " + name + " --stages 2"));
+    }
+  }
+}
+
 TEST_CASE("explore refuses bad use and bad files in one line", "[explore]") {
   const scratch folder;
   write_row(folder, "q8", 1000, 4000, 0.5);
@@ -129,6 +180,15 @@ TEST_CASE("explore refuses bad use and bad files in one line", "[explore]") {
   fails("--device nothing", "device nothing does not exist");
   fails("--format q9", "format q9 does not exist");
   fails("--json --csv", "see blysk --help");
+  for (const char* form : {"--csv", "--markdown", "--html x.html"})
+    fails(std::string("--tolerance 0.1 ") + form,
+          "is no form of what is cheapest, expected a text or --json");
+  fails("--target asic", "--target is a condition on what is cheapest, expected --tolerance with it");
+  fails("--target nonsense", "target nonsense does not exist");
+  fails("--jobs 2", "--jobs is of a sweep, expected ranges of word lengths");
+  fails("--jobs 0x2", "--jobs: is '0x2', expected a whole number from 1 to 1024");
+  fails("merge a b --output c --target asic", "--target says nothing to merge");
+  fails("merge a b --output c --device " + kDevice, "--device says nothing to merge");
   fails("--shard 1/2", "expected ranges of word lengths");
   fails("--cos 8 --shard 3/2", "--shard is 3/2");
   fails("--cos 12..8", "--cos is 12..8");

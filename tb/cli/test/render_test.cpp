@@ -237,7 +237,22 @@ TEST_CASE("a bad scene is one line that names file and line", "[cli][render]") {
   refuses_text("a.obj", kTriangle + "f 1 1 2\n", ": has no triangle with an area, expected one");
   refuses_text("a.obj", std::string("v 0 0 1\n\0\n", 10), ":2: holds a zero byte, expected text");
   refuses_text("a.json", "{", ":1: is no JSON here, expected a scene");
+  refuses_text("a.json", "{", "; column 2 has the end of the file");
   refuses_text("a.json", "{\n\"mesh\": \"sphere\",\n\"x\": }", ":3: is no JSON here");
+  refuses_text("a.json", "{\n\"mesh\": \"sphere\",\n}", "docs/scenes.md has it; column 1 has '}'");
+  refuses_text("a.json", R"({"mesh": "sphere", "mesh": "torus"})",
+               ": has 'mesh' twice in one object, expected it once");
+  refuses_text("a.json", R"({"mesh": "sphere", "lights": [{"position": [1, 1, 1], "position": [2, 2, 2]}]})",
+               ": has 'position' twice in one object, expected it once");
+  // Deeper than any stack.
+  refuses_text(
+      "a.json",
+      R"({"mesh": "sphere", "density": )" + std::string(200'000, '[') + std::string(200'000, ']') + "}",
+      ": density: is an array, expected a number in [2, ");
+  refuses_text("a.json", R"({"mesh": "sphere", ")" + std::string(100'000, 'x') + "\": 1}",
+               "xxx...', expected mesh");
+  refuses_text("a.json", R"({"mesh": "sphere", "density": ")" + std::string(100'000, 'x') + "\"}",
+               "xxx..., expected a number in [2, ");
   refuses_text("a.json", R"({"mesh": 1e999})", ": has a number beyond 1.8e308, expected a scene");
   refuses_text("a.json", "[]", ": the file: is array, expected an object");
   refuses_text("a.json", R"({"lights": []})", ": the file: has no mesh, expected its name");
@@ -258,11 +273,26 @@ TEST_CASE("a bad scene is one line that names file and line", "[cli][render]") {
                ": camera: eye and target are one place, expected two");
   refuses_text("a.json", R"({"mesh": "sphere\u0000.obj"})", ": mesh: holds a zero byte, expected text");
   refuses_text("a.json", R"({"x\u0000y": 1})", R"(: the file: has 'x\x00y', expected mesh)");
-  refuses_text("a.ply", "ply\nformat ascii 1.0\n", ": ");
-  refuses_text("a.3ds", "nothing", ": ");
+  refuses_text("a.json", R"({"mesh": ")" + std::string(300, 'x') + "\"}", "");
+  refuses_text("a.ply", "ply\nformat ascii 1.0\n", ": cannot be read (");
+  refuses_text("a.3ds", "nothing", ": cannot be read (");
+  refuses(folder, std::string(300, 'x'),
+          "xxx...: cannot be read (File name too long), expected a shape or a file");
   folder.write("a.mtl", "newmtl a\nNs nan\n");
   folder.write("b.obj", "mtllib a.mtl\n" + kTriangle + "usemtl a\nf 1 2 3\n");
   refuses(folder, in(folder, "b.obj"), "a.mtl:2: Ns is 'nan', expected a number");
+}
+
+TEST_CASE("two results do not go into one standard output", "[cli][render]") {
+  const scratch folder;
+  for (const char* names : {"--output - --report -", "--output /dev/stdout --report -",
+                            "--output /dev/fd/1 --report /proc/self/fd/1"}) {
+    CAPTURE(names);
+    const outcome run = run_blysk(folder, std::string("render sphere ") + kSmall + names);
+    CHECK(run.status == 2);
+    CHECK(run.out.empty());
+    CHECK(run.err.find("is given by --output and --report, expected different files") != std::string::npos);
+  }
 }
 
 TEST_CASE("files that cannot be written leave nothing behind", "[cli][render]") {
@@ -315,6 +345,8 @@ TEST_CASE("bad use of an animation is one line, and no file is written", "[cli][
   const std::string scene = std::string("sphere") + kSmall;
   refuses(folder, scene + "--animate 0", "--animate");
   refuses(folder, scene + "--animate 10000", "--animate");
+  refuses(folder, scene + "--animate 0x2", "--animate: is '0x2', expected a whole number from 1 to 9999");
+  refuses(folder, scene + "--threads ' 2'", "--threads: is ' 2', expected a whole number from 1 to 256");
   refuses(folder, scene + "--animate 2 --watch highlight", "expected no --watch, --vcd or --compare");
   refuses(folder, scene + "--film " + in(folder, "f.gif"), "expected --animate N");
   refuses(folder, scene + "--animate 2 --film " + in(folder, "f.avi"),
@@ -338,6 +370,8 @@ TEST_CASE("a film is made of the frames", "[cli][render]") {
     WARN("ffmpeg is not installed: not tried");
     return;
   }
+  // Of a longer run before: the film has none of it.
+  folder.write("f-0004.png", "no picture");
   for (const std::string ending : {"mp4", "gif"}) {
     CAPTURE(ending);
     const outcome run = run_blysk(

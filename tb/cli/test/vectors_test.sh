@@ -32,6 +32,9 @@ case $case in
     simulated export
     judged 0 q8
     grep -q 'vectors of .* equal$' said || fail "$(cat said)"
+    # Answers that cannot be written are no answers of a run before.
+    vvp -n bench +answers=none/answers.txt >said
+    grep -q '^none/answers.txt cannot be written, expected a file for the answers' said || fail "$(cat said)"
     count=0
     # found FILES OLD NEW: OLD stands once in one of the export's files; with NEW in its place the check finds it.
     found() {

@@ -77,6 +77,10 @@ class lyon final : public specular::device_of_points {
              .preset = "4"}};
   }
 
+  std::vector<device_alias> aliases() const override {
+    return {{"lyon-2", {{"degree", "2"}}}, {"lyon-4", {{"degree", "4"}}}, {"lyon-8", {{"degree", "8"}}}};
+  }
+
   void check(const selection&) const override {}
 
   std::string words(const selection& asked) const override { return fmt::format("degree {}", degree(asked)); }

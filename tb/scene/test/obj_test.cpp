@@ -114,6 +114,12 @@ TEST_CASE("numbers of a material are made legal, and every change is said", "[sc
   CHECK(message_of("Kd 1 0 0\nd 0.5\n") == "d 0.5 dropped, surfaces are opaque");
   CHECK(message_of("Kd 1 0 0\nd 1\nTr 0\nNi 1.5\n").empty());
   CHECK(message_of("Kd spectral x.rfl 1\n") == "Kd spectral dropped, RGB is read");
+  CHECK(message_of("Kd 1 0 0 1 junk\n") == "'1 junk' behind Kd dropped");
+  CHECK(message_of("illum 2\nKs 1 1 1\nNs 10 20\n") == "'20' behind Ns dropped");
+  CHECK(message_of("Kd 1 0 0\nKd 0 1 0\n") == "Kd given again, the last one taken");
+  CHECK(material_of("Kd 1 0 0\nKd 0 1 0\n").kd == rgb{0, 1, 0});
+  CHECK(message_of("Kd 1 0 0 # red\n").empty());
+  CHECK(message_of("Kd 1 0 0\nnewmtl a\nKd 0 1 0\n") == "defined again, the last one taken");
   for (const char* bad :
        {"Ns nan\n", "Ns\n", "Ns 1.2.3\n", "Ks nan 0 0\n", "Ks 0 0\n", "Kd inf\n", "illum x\n", "Ns 0x10\n"}) {
     const std::string refusal =
@@ -144,6 +150,34 @@ TEST_CASE("names with blanks, and libraries that are not there", "[scene]") {
   CHECK(made.messages[0] == "one.mtl: cannot be read, its materials are plain");
   made = read(kSquare + "usemtl nosuch\nf 1 2 3\n");
   CHECK(made.messages[0] == "material 'nosuch' is in no library, a plain one taken");
+}
+
+TEST_CASE("a number sign in a name is no comment", "[scene]") {
+  const std::string library =
+      "newmtl a#1\nillum 1\nKd 1 0 0\nnewmtl a#2\nillum 1\nKd 0 1 0\n"
+      "newmtl Material #25 # as 3ds Max has it\nillum 1\nKd 0 0 1\n";
+  const auto made = read("# mtllib none\nmtllib m # not m#\n" + kSquare +
+                             "usemtl a#1\nf 1 2 3#x\nusemtl a#2 #\nf 1 3 4\n"
+                             "usemtl Material #25\nf 2 3 4\n",
+                         {{"m", library}});
+  CAPTURE(made.messages);
+  CHECK(made.messages.empty());
+  REQUIRE(made.of.triangles.size() == 3);
+  const auto colour = [&](std::size_t triangle) {
+    return made.of.materials[made.of.triangles[triangle].material].kd;
+  };
+  CHECK(colour(0) == rgb{1, 0, 0});
+  CHECK(colour(1) == rgb{0, 1, 0});
+  CHECK(colour(2) == rgb{0, 0, 1});
+}
+
+TEST_CASE("smoothing groups in any words", "[scene]") {
+  for (const char* words : {"s off", "s OFF", "s on", "s On", "s 0", "s 2147483647"}) {
+    CAPTURE(words);
+    CHECK(refusal_of(std::string(words) + "\n" + kSquare + "f 1 2 3\n").empty());
+  }
+  CHECK(refusal_of("s 4294967295\n" + kSquare + "f 1 2 3\n") ==
+        "a.obj:1: smoothing group is '4294967295', expected off, on or a number of at most 2147483647");
 }
 
 TEST_CASE("text of every encoding and line end is the same scene", "[scene]") {
