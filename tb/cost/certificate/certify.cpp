@@ -79,6 +79,8 @@ specification read_specification(const std::string& path) {
     } else if (word == "claim") {
       read.claims.push_back(rest);
     } else if (word == "hint") {
+      if (rest.find(" / ") != std::string::npos && rest.find(" <> 0") == std::string::npos)
+        throw file_error(path, number, "divides by what may be 0, expected the condition { WHAT <> 0 }");
       read.hints.push_back(rest);
     } else if (word == "split") {
       read.splits.push_back(rest);
