@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // device quadratic, format q24, coefficient derived, BRDF clamped to [0, 1], exported from the SystemC model.
+// What blysk knows of it, and the digest of its modules without this comment:
+//   computes: BRDF = max(0, a (c^2 - c) + c), a = 2 (1 - e^(-1/2)) n - 1/2, c = cos(delta); red, green, blue = BRDF (R, G, B) k_s
+//   digest: sha256:5d31ba00514916dd95bc34f7ea778738dd985273ef6e29329881024de1b8ac15
+//   not known with these options: errors, certificate, iCE40, iCE40 with DSP, iCE40 HX8K, OSU018, settling
 `default_nettype none
 
 module blysk_quadratic_q24 (

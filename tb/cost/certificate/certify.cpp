@@ -157,9 +157,9 @@ class script_writer {
           given.insert(given.end(), more->begin(), more->end());
         given.push_back(condition);
         const std::string error = value == "0" ? kResult : fmt::format("{} - {}", kResult, value);
-        // Where both are constants there is nothing to split.
+        // A constant needs no splits.
         static const std::regex constant(std::string(kResult) + R"( = -?\d+b-?\d+;)");
-        const bool is_plain = value == "0" && std::regex_match(path.definitions.back(), constant);
+        const bool is_plain = std::regex_match(path.definitions.back(), constant);
         write_script(folder / fmt::format("case_{}.g", ++number), path, given,
                      bound.empty() ? error + " in ?" : fmt::format("{} in [-{},{}]", error, bound, bound),
                      !is_plain);
