@@ -188,6 +188,10 @@ class figures {
 
 }  // namespace
 
+std::string head_of(const selection& asked, const std::string& digest) {
+  return figures(asked, digest).comment();
+}
+
 verilog::files annotated_export(const netlist::elaborated& device, const selection& asked) {
   verilog::files files = verilog::export_files(device, asked.top_name(), asked.text());
   figures found(asked, verilog_digest(files));

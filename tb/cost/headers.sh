@@ -60,9 +60,9 @@ check_cells() { # FILE PART NAME
       ;;
     osu018)
       read -r -a got <<<"$(numbers "$said" '^([0-9.]+) NAND2, ([0-9]+) cells, longest path ([0-9.]+) ns; .*()()')"
-      expect "$3, area" "${got[0]-}" "$(of_part "$1" $2 area_nand2)"
-      expect "$3, cells" "${got[1]-}" "$(of_part "$1" $2 cells)"
-      expect "$3, path" "${got[2]-}" "$(of_part "$1" $2 path_ns)"
+      expect "$3, area" "${got[0]-}" "$(of_part "$1" "$2" area_nand2)"
+      expect "$3, cells" "${got[1]-}" "$(of_part "$1" "$2" cells)"
+      expect "$3, path" "${got[2]-}" "$(of_part "$1" "$2" path_ns)"
       ;;
     *)
       read -r -a got <<<"$(numbers "$said" '^([0-9]+) LUT, ([0-9]+) carry, ([0-9]+) FF, ([0-9]+) DSP, ([0-9]+) RAM bits; .*')"

@@ -8,7 +8,7 @@
 
 #include "tb/netlist/elaborated.h"
 
-namespace blysk::cost {
+namespace blysk::netlist {
 
 /// What is made wrong in the netlist as it is read, so that a proof can be seen to fail.
 enum class planted_fault {
@@ -46,6 +46,6 @@ struct gappa_netlist {
 /// taken as the quotient, rounded down, what its own test shows.
 /// \param result  name of the net
 /// \throws std::logic_error for a law that cannot be told to Gappa
-gappa_netlist read_gappa(const netlist::elaborated& device, const std::string& result, planted_fault fault);
+gappa_netlist read_gappa(const elaborated& device, const std::string& result, planted_fault fault);
 
-}  // namespace blysk::cost
+}  // namespace blysk::netlist

@@ -27,13 +27,13 @@
 #include <set>
 #include <sstream>
 
-#include "tb/cost/certificate/gappa_path.h"
 #include "tb/cost/certificate_row.h"
 #include "tb/cost/cost_row.h"
 #include "tb/cost/delays.h"
 #include "tb/device_arguments.h"
 #include "tb/golden/coefficient.h"
 #include "tb/golden/referee.h"
+#include "tb/netlist/gappa_path.h"
 #include "tb/program.h"
 #include "tb/specular/specular.h"
 #include "tb/usage_error.h"
@@ -127,9 +127,9 @@ std::string around_zero(const std::string& within, int frac) {
 
 class script_writer {
  public:
-  script_writer(specification exact, cost::gappa_netlist netlist, std::string title)
+  script_writer(specification exact, netlist::gappa_netlist netlist, std::string title)
       : exact_(std::move(exact)), netlist_(std::move(netlist)), title_(std::move(title)) {
-    for (const cost::memory_net& memory : netlist_.memories) {
+    for (const netlist::memory_net& memory : netlist_.memories) {
       const auto claim = std::ranges::find(exact_.memories, memory.net, &memory_claim::net);
       if (claim == exact_.memories.end())
         throw std::logic_error(fmt::format("the certificate says nothing of the memory of {}", memory.net));
@@ -142,7 +142,7 @@ class script_writer {
   }
 
   void write(const fs::path& folder, const std::string& bound) const {
-    for (const cost::memory_net& memory : netlist_.memories) write_memory(folder, memory);
+    for (const netlist::memory_net& memory : netlist_.memories) write_memory(folder, memory);
     int number = 0;
     for (const std::string& claim : exact_.claims) {
       std::vector<std::string> given = exact_.facts;
@@ -150,7 +150,7 @@ class script_writer {
       write_script(folder / fmt::format("claim_{}.g", ++number), netlist_.paths.front(), given, claim, false);
     }
     number = 0;
-    for (const cost::gappa_path& path : netlist_.paths) {
+    for (const netlist::gappa_path& path : netlist_.paths) {
       for (const auto& [condition, value] : exact_.cases) {
         std::vector<std::string> given = exact_.facts;
         for (const auto* more : {&netlist_.facts, &exact_.claims, &path.conditions})
@@ -168,8 +168,8 @@ class script_writer {
   }
 
  private:
-  void write_script(const fs::path& file, const cost::gappa_path& path, const std::vector<std::string>& given,
-                    const std::string& wanted, bool has_splits) const {
+  void write_script(const fs::path& file, const netlist::gappa_path& path,
+                    const std::vector<std::string>& given, const std::string& wanted, bool has_splits) const {
     std::string text = fmt::format("# {}\n", title_);
     std::set<std::string> known = kWords;
     for (const std::string& line : path.definitions) text += line + "\n";
@@ -190,7 +190,7 @@ class script_writer {
   }
 
   /// Each word beside what it stands for.
-  void write_memory(const fs::path& folder, const cost::memory_net& memory) const {
+  void write_memory(const fs::path& folder, const netlist::memory_net& memory) const {
     const auto claim = std::ranges::find(exact_.memories, memory.net, &memory_claim::net);
     const auto let = std::ranges::find(exact_.lets, claim->name, &std::pair<std::string, std::string>::first);
     std::vector<std::string> given, wanted;
@@ -226,14 +226,14 @@ class script_writer {
   }
 
   specification exact_;
-  cost::gappa_netlist netlist_;
+  netlist::gappa_netlist netlist_;
   std::string title_;
 };
 
-cost::planted_fault fault_of(const std::string& name) {
-  if (name == "no_rounding") return cost::planted_fault::no_rounding;
-  if (name == "narrow_words") return cost::planted_fault::narrow_words;
-  return cost::planted_fault::none;
+netlist::planted_fault fault_of(const std::string& name) {
+  if (name == "no_rounding") return netlist::planted_fault::no_rounding;
+  if (name == "narrow_words") return netlist::planted_fault::narrow_words;
+  return netlist::planted_fault::none;
 }
 
 /// The codes of the cosine that are tried at n: all of them, or in wide formats those beside 0, the root and 1, and some
@@ -354,7 +354,7 @@ int main(int argc, char** argv) {
         if (scripts->parsed()) {
           const auto device = chosen.of().elaborate(chosen, 0);
           const script_writer writer(read_specification(specification_file),
-                                     cost::read_gappa(*device, kResult, fault_of(fault)), chosen.text());
+                                     netlist::read_gappa(*device, kResult, fault_of(fault)), chosen.text());
           writer.write(folder, bound);
         } else {
           const cost::certificate made{.device = chosen.of().name(),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tb/cost/certificate/gappa_path.h"
+#include "tb/netlist/gappa_path.h"
 
 #include <fmt/format.h>
 
@@ -9,14 +9,9 @@
 #include <set>
 #include <stdexcept>
 
-namespace blysk::cost {
+namespace blysk::netlist {
 namespace {
 
-using netlist::block;
-using netlist::declaration;
-using netlist::node;
-using netlist::operation;
-using netlist::wide_int;
 using channel = const sc_core::sc_interface*;
 
 /// An integer of a law: text 2^scale, the text a real number for Gappa. A bit has the two conditions that make it one and
@@ -64,7 +59,7 @@ bool is_name(const std::string& text) {
 /// One way through the netlist: each selection asks `choices` for the next answer, and adds one where there is none.
 class reader {
  public:
-  reader(const netlist::elaborated& device, planted_fault fault, std::vector<bool>& choices)
+  reader(const elaborated& device, planted_fault fault, std::vector<bool>& choices)
       : device_(device), fault_(fault), choices_(choices) {}
 
   gappa_path path;
@@ -72,7 +67,7 @@ class reader {
   std::vector<memory_net> memories;
 
   void read(const std::string& result) {
-    const auto modules = netlist::in_order_of_data(device_, netlist::registers_are::transparent);
+    const auto modules = in_order_of_data(device_, registers_are::transparent);
     std::set<channel> nets{find_channel(result)};
     const std::set<const sc_core::sc_module*> wanted = cone_of(modules, nets);
     for (const auto& port : device_.ports()) {
@@ -108,7 +103,7 @@ class reader {
   static std::vector<channel> channels(const sc_core::sc_module& module, const block& part,
                                        declaration::role where) {
     std::vector<channel> found;
-    for (const sc_core::sc_port_base* port : netlist::ports_of_module(module)) {
+    for (const sc_core::sc_port_base* port : ports_of_module(module)) {
       if (part.described(port->basename()).where == where) found.push_back(port->get_interface());
     }
     return found;
@@ -133,7 +128,7 @@ class reader {
     return cone;
   }
 
-  void add_input(const netlist::bound_port& port) {
+  void add_input(const bound_port& port) {
     const channel of = find_channel(port.what.name);
     if (port.what.is != port::role::data || !port.what.carries) {
       values_[of] = kUnknown;
@@ -152,12 +147,12 @@ class reader {
     names_.clear();
     nodes_.clear();
     instance_ = module.basename();
-    for (const sc_core::sc_port_base* port : netlist::ports_of_module(module)) {
+    for (const sc_core::sc_port_base* port : ports_of_module(module)) {
       const declaration& described = part.described(port->basename());
       if (described.where == declaration::role::input)
         names_[described.name] = values_.at(port->get_interface());
     }
-    for (const sc_core::sc_port_base* port : netlist::ports_of_module(module)) {
+    for (const sc_core::sc_port_base* port : ports_of_module(module)) {
       const declaration& described = part.described(port->basename());
       if (described.where == declaration::role::output)
         values_[port->get_interface()] = net_of(port->get_interface(), described);
@@ -210,8 +205,8 @@ class reader {
     const auto known = names_.find(name);
     if (known != names_.end()) return known->second;
     const auto has_name = [&](const auto& target) { return part_->declarations()[target].name == name; };
-    const auto driven = std::ranges::find_if(part_->drives(), has_name, &netlist::assignment::target);
-    const auto kept = std::ranges::find_if(part_->registers(), has_name, &netlist::flip_flops::q);
+    const auto driven = std::ranges::find_if(part_->drives(), has_name, &assignment::target);
+    const auto kept = std::ranges::find_if(part_->registers(), has_name, &flip_flops::q);
     if (driven == part_->drives().end() && kept == part_->registers().end())
       throw std::logic_error(name + " is driven by nothing");
     return names_[name] = value_of(*(driven != part_->drives().end() ? driven->value : kept->d).root());
@@ -228,7 +223,7 @@ class reader {
     if (of.op == operation::constant) return constant_of(static_cast<std::int64_t>(of.low));
     if (of.op == operation::signal) return value_of_name(of.name);
     if (of.op == operation::parameter) {
-      const auto found = std::ranges::find(part_->parameters(), of.name, &netlist::instance_parameter::name);
+      const auto found = std::ranges::find(part_->parameters(), of.name, &instance_parameter::name);
       return constant_of(narrowed(found->value, found->carries ? found->carries->width() : 1));
     }
     std::vector<number> from;
@@ -367,7 +362,7 @@ class reader {
     return {.text = target_, .scale = frac_};
   }
 
-  const netlist::elaborated& device_;
+  const elaborated& device_;
   const planted_fault fault_;
   std::vector<bool>& choices_;
   std::size_t asked_ = 0;
@@ -384,7 +379,7 @@ class reader {
 
 }  // namespace
 
-gappa_netlist read_gappa(const netlist::elaborated& device, const std::string& result, planted_fault fault) {
+gappa_netlist read_gappa(const elaborated& device, const std::string& result, planted_fault fault) {
   if (!sc_core::sc_start_of_simulation_invoked()) sc_core::sc_start(sc_core::SC_ZERO_TIME);
   gappa_netlist all;
   std::vector<bool> choices;
@@ -400,4 +395,4 @@ gappa_netlist read_gappa(const netlist::elaborated& device, const std::string& r
   }
 }
 
-}  // namespace blysk::cost
+}  // namespace blysk::netlist

@@ -36,7 +36,7 @@ prove() {
   for script in "$work"/scripts/*.g; do
     told "$script" || { echo "not proved: ${script##*/}" && sed -n '1,3p' "$work/said" && failures=$((failures + 1)); }
   done
-  proved=$(ls "$work/scripts" | wc -l)
+  proved=$(find "$work/scripts" -name "*.g" | wc -l)
   [ "$failures" = 0 ]
 }
 
