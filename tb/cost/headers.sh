@@ -204,7 +204,8 @@ noticed() { # SED ENDING
 noticed 's/^(\/\/   error .*: at most )0\.2/\10.3/' v
 noticed 's/bias -/bias /' v
 noticed 's/^(\/\/   iCE40: )/\11/' v
-noticed 's/ NAND2,/0 NAND2,/' v
+noticed 's/^(\/\/   certificate: BRDF within )/\11/' v
+noticed 's/([0-9.]+ NAND2,)/1\1/' v
 noticed 's/^(\/\/   settles: within )/\11/' v
 noticed 's/^(\/\/   OSU018:).*//' v
 noticed 's/^(# set_max_delay )/\11/' sdc
