@@ -52,7 +52,9 @@ certificate parse_certificate(const std::string& path, const std::string& text) 
                              .inputs = seen.at("inputs"),
                              .is_exhaustive = seen.at("status") == "exhaustive"}};
     const auto is_known = [&](std::string_view name) { return name == row.format; };
-    if (std::ranges::any_of(format_names, is_known) && row.bound > 0 && row.seen.max_abs_err > 0) return row;
+    if (std::ranges::any_of(format_names, is_known) && row.seen.max_abs_err > 0 &&
+        row.bound >= row.seen.max_abs_err)
+      return row;
   } catch (const nlohmann::json::exception&) {  // told below
   }
   throw file_error(path, 0,

@@ -30,7 +30,7 @@ struct certificate {
 nlohmann::ordered_json json_of(const certificate& row);
 
 /// \param path  for messages
-/// \throws usage_error for text that is no certificate
+/// \throws usage_error for text that is no certificate, and for a bound below what was seen
 certificate parse_certificate(const std::string& path, const std::string& text);
 
 /// The table between the lines "<!-- generated: certificates -->" and "<!-- end of generated -->" of a page: all

@@ -287,6 +287,7 @@ TEST_CASE("a damaged certificate is refused in one line", "[cost]") {
   refused("\"bound\"", "\"bond\"");
   refused("0.5", "-0.5");
   refused("0.25", "0.0");
+  refused("0.25", "0.75");
   refused("\"q8\"", "\"q9\"");
   refused("0.5", "\"0.5\"");
   CHECK_THROWS_WITH(with_certificates(BLYSK_TABLES, "page", "no place"), Contains("page: has no place"));
