@@ -2,6 +2,8 @@
 // certify scripts FOLDER --device D --format F ... [--bound B] [--fault F]: scripts for Gappa, FOLDER/*.g, that together say
 //   |BRDF of the netlist - BRDF of the exact formula| <= B for all legal codes. Without --bound those of the cases, case_*.g,
 //   ask for their error instead.
+// certify compare --device D --format F ...: the definitions that Gappa is told are what the bit-accurate model computes, at
+//   20,000 random inputs and at the ends of the codes. Exit 1 where they differ.
 // certify row FILE --device D --format F ... --bound B --gappa VERSION: measures the largest error of the bit-accurate model,
 //   and writes both as a certificate.
 // certify page TABLES PAGE [--check]: the table of all certificates in a page.
@@ -27,6 +29,7 @@
 #include <set>
 #include <sstream>
 
+#include "tb/certificate/definitions.h"
 #include "tb/cost/certificate_row.h"
 #include "tb/cost/cost_row.h"
 #include "tb/cost/delays.h"
@@ -310,13 +313,53 @@ cost::seen_error measure(const selection& asked) {
   return worst;
 }
 
+/// The definitions beside the bit-accurate model.
+int compare(const selection& asked, netlist::planted_fault fault) {
+  constexpr std::size_t kInputs = 20000;
+  constexpr std::uint32_t kExponents = 1000;
+  const auto device = asked.of().elaborate(asked, 0);
+  const netlist::gappa_netlist definitions = netlist::read_gappa(*device, kResult, fault);
+  const std::vector<port> data = of_role(asked.of().ports(asked), port::role::data);
+  const std::uint64_t last = std::uint64_t{1} << asked.fraction();
+  columns in(columns(asked.of().ports(asked), port::role::data).layout());
+  columns out(columns(asked.of().ports(asked), port::role::result).layout());
+  in.resize(kInputs);
+  std::mt19937_64 random(1);
+  for (std::size_t i = 0; i < kInputs; ++i) {
+    // Of the lobe, which is narrow, every second one.
+    const std::uint64_t n = i < 4 ? 1 + (i / 2) * (kExponents - 1) : 1 + random() % kExponents;
+    const std::uint64_t span = i % 2 == 0 ? last : 1 + last / n;
+    const std::uint64_t c = i < 4 ? (i % 2) * last : last - random() % (span + 1);
+    in[specular::kN].set(i, n);
+    in[specular::kCos].set(i, c);
+  }
+  asked.of().make_bit(asked)->run(in, out);
+  std::size_t lit = 0;
+  for (std::size_t i = 0; i < kInputs; ++i) {
+    const named_numbers given{
+        {data[specular::kN].name + "_code", static_cast<long double>(in[specular::kN].get(i))},
+        {data[specular::kCos].name + "_code", static_cast<long double>(in[specular::kCos].get(i))}};
+    const std::optional<long double> told = compute(definitions, given, kResult);
+    const auto raw = static_cast<long double>(out[specular::kBrdf].get(i));
+    if (raw != 0) ++lit;
+    if (told && std::ldexp(*told, asked.fraction()) == raw) continue;
+    fmt::print("n = {}, cos code {}: the definitions give {}, the model code {}\n", in[specular::kN].get(i),
+               in[specular::kCos].get(i),
+               told ? fmt::format("{}", std::ldexp(*told, asked.fraction())) : "no path", raw);
+    return 1;
+  }
+  fmt::print("{}: {} inputs, {} with a BRDF above 0, {} paths: equal\n", asked.text(), kInputs, lit,
+             definitions.paths.size());
+  return lit > kInputs / 10 ? 0 : 1;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   asked_device asked;
   std::string folder, file, bound, fault, version, specification_file, tables, page;
   bool is_check = false;
-  CLI::App *scripts = nullptr, *row = nullptr, *pages = nullptr;
+  CLI::App *scripts = nullptr, *row = nullptr, *pages = nullptr, *comparison = nullptr;
   return run_program(
       argc, argv, "Bounds the error of a device's datapath with Gappa",
       [&](CLI::App& program) {
@@ -324,8 +367,12 @@ int main(int argc, char** argv) {
         scripts = program.add_subcommand("scripts", "write scripts for Gappa");
         scripts->add_option("FOLDER", folder, "for the scripts")->required();
         scripts->add_option("--exact", specification_file, "the device's file certificate")->required();
-        scripts->add_option("--fault", fault, "planted in the netlist")
-            ->check(CLI::IsMember({"none", "no_rounding", "narrow_words"}));
+        comparison = program.add_subcommand("compare", "compute what Gappa is told, beside the model");
+        for (CLI::App* each : {scripts, comparison}) {
+          each->add_option("--fault", fault, "planted in the netlist")
+              ->check(CLI::IsMember({"none", "no_rounding", "narrow_words"}));
+        }
+        add_device_arguments(*comparison, asked, purpose::hardware);
         row = program.add_subcommand("row", "write a certificate beside the largest error that is seen");
         row->add_option("FILE", file, "to write")->required();
         row->add_option("--gappa", version, "its version")->required();
@@ -351,6 +398,7 @@ int main(int argc, char** argv) {
           return 0;
         }
         const selection chosen = asked.choose();
+        if (comparison->parsed()) return compare(chosen, fault_of(fault));
         if (scripts->parsed()) {
           const auto device = chosen.of().elaborate(chosen, 0);
           const script_writer writer(read_specification(specification_file),

@@ -126,7 +126,7 @@ check() {
     check_errors "$file" whole 'every code of the cosine'
     check_errors "$file" sphere 'pixels of a lit sphere, 512 x 512'
   else
-    grep -qE '^//   not known[^:]*:.* errors' <<<"$header" && ! grep -q '^//   error' <<<"$header" ||
+    { grep -qE '^//   not known[^:]*:.* errors' <<<"$header" && ! grep -q '^//   error' <<<"$header"; } ||
       wrong 'says nothing of errors, or of some that were not measured'
   fi
   file=$root/docs/tables/$device/cost_$format.json
@@ -153,7 +153,7 @@ check() {
       "$(awk -F , -v device="${device//_/-}" -v format="$format" '$1 == device && $2 == format { print $3 "," $7 }' "$root/docs/tables/settling.csv")"
     expect 'set_max_delay' "$(sed -nE 's/^# set_max_delay ([0-9.]+) .*/\1/p' "$folder/$top.sdc")" "$(value "$file" bound_ps | awk '{ print $1 / 1000 }')"
   else
-    [ -z "$said" ] && grep -qE '^//   not known[^:]*:.* settling' <<<"$header" ||
+    { [ -z "$said" ] && grep -qE '^//   not known[^:]*:.* settling' <<<"$header"; } ||
       wrong 'says nothing of settling, or of what was not measured'
   fi
   [ $bad = 0 ]

@@ -23,7 +23,7 @@ top=blysk_${device//-/_}_$format
 # The cells of both files are the same.
 sed -nE 's/^  ([A-Z]+[0-9A-Z]*X[0-9]+) .*\($/\1/p' "mine/$top.v" | sort >in_netlist
 sed -nE 's/^ +\(CELLTYPE "([A-Z]+[0-9A-Z]*X[0-9]+)"\)$/\1/p' "mine/$top.sdf" | sort >in_sdf
-[ "$(wc -l <in_netlist)" -gt 100 ] && cmp in_netlist in_sdf || fail 'the netlist and the SDF file have different cells'
+{ [ "$(wc -l <in_netlist)" -gt 100 ] && cmp in_netlist in_sdf; } || fail 'the netlist and the SDF file have different cells'
 
 # In Icarus, with a slow clock.
 "$blysk" export --device "$device" --format "$format" --output rtl >said
@@ -60,12 +60,14 @@ refused() {
   local line=$1 status=0
   shift
   "$root/scripts/synth" "$@" >said 2>&1 || status=$?
-  [ "$status" = 2 ] && grep -qE -- "$line" said && [ ! -e "$work/none" ] || fail "status $status, expected 2 and '$line': $(<said)"
+  { [ "$status" = 2 ] && grep -qE -- "$line" said && [ ! -e "$work/none" ]; } || fail "status $status, expected 2 and '$line': $(<said)"
 }
 refused "'--sdf' expects a FOLDER" --sdf
 refused "'--sdf' expects a DEVICE" --sdf "$work/none"
 refused "'--sdf' expects one FORMAT" --sdf "$work/none" "$device"
 BLYSK_CELLS=$work/nowhere.lib refused "nowhere.lib' is not there, expected the Liberty file" --sdf "$work/none" "$device" "$format"
+: >"$work/a_file"
+refused "cannot write to '$work/a_file', expected a folder" --sdf "$work/a_file" "$device" "$format"
 # A library without flip-flops.
 awk '/^ *cell \(DFF|^ *cell \(LATCH/ { skipping = 1 } skipping { depth += gsub(/\{/, "{") - gsub(/\}/, "}"); if (depth == 0) skipping = 0; next } { print }' \
   "$BLYSK_CELLS" >gates.lib
