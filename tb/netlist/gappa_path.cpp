@@ -75,7 +75,6 @@ class reader {
     }
     for (const sc_core::sc_module* module : modules) {
       if (!wanted.contains(module)) continue;
-      is_last_ = driven_name(*module) == result;
       translate(*module, *device_.parts().find(*module));
     }
   }
@@ -107,11 +106,6 @@ class reader {
       if (part.described(port->basename()).where == where) found.push_back(port->get_interface());
     }
     return found;
-  }
-
-  std::string driven_name(const sc_core::sc_module& module) const {
-    const auto outputs = channels(module, *device_.parts().find(module), declaration::role::output);
-    return outputs.empty() ? "" : name_of(outputs.front());
   }
 
   /// The modules that the nets depend on; the nets between them are added.
@@ -309,7 +303,7 @@ class reader {
         break;
       }
     }
-    if (is_last_ && fault_ == planted_fault::no_rounding) added.clear();
+    if (fault_ == planted_fault::no_rounding) added.clear();
     exact = named(exact);
     const int frac = whole.scale - distance;
     if (added.empty()) return rounded_down(exact, frac);
@@ -370,7 +364,6 @@ class reader {
   const block* part_ = nullptr;
   std::string instance_, target_;  // the block and the net that are read
   int frac_ = 0;                   // of the net
-  bool is_last_ = false;           // the block drives the result
   int counter_ = 0;
   std::map<std::string, number> names_;
   std::map<const node*, number> nodes_;

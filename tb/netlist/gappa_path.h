@@ -13,7 +13,7 @@ namespace blysk::netlist {
 /// What is made wrong in the netlist as it is read, so that a proof can be seen to fail.
 enum class planted_fault {
   none,
-  no_rounding,   ///< the last rounding of the path drops its bits
+  no_rounding,   ///< roundings drop their bits
   narrow_words,  ///< wired constants and words of memories lose their two lowest bits
 };
 
