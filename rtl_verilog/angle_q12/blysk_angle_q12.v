@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // device angle, format q12, Q 0.5, k 5, exported from the SystemC model.
+// What blysk knows of it, and the digest of its modules without this comment:
+//   computes: cos^k of a multiple of the angle, along a scan line of angles
+//   digest: sha256:3f35020d8f380cac1fd73f0abf4fb0ab809d92af648e2760063b1108eb5dd81e
+//   not known with these options: errors, certificate, iCE40, iCE40 with DSP, iCE40 HX8K, OSU018, settling
 `default_nettype none
 
 module blysk_angle_q12 (

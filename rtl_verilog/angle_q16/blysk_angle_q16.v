@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // device angle, format q16, Q 0.5, k 5, exported from the SystemC model.
+// What blysk knows of it, and the digest of its modules without this comment:
+//   computes: cos^k of a multiple of the angle, along a scan line of angles
+//   digest: sha256:dd3b1a555f25aa8dc25e14c5ba95973f29cc101f28e1b465d3f8137a8a134bd2
+//   not known with these options: errors, certificate, iCE40, iCE40 with DSP, iCE40 HX8K, OSU018, settling
 `default_nettype none
 
 module blysk_angle_q16 (

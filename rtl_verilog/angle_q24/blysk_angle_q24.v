@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // device angle, format q24, Q 0.5, k 5, exported from the SystemC model.
+// What blysk knows of it, and the digest of its modules without this comment:
+//   computes: cos^k of a multiple of the angle, along a scan line of angles
+//   digest: sha256:468f4b54173f092d3fe0176ae8a88a3dad349a290cbe45b92b1e216b98beda59
+//   not known with these options: errors, certificate, iCE40, iCE40 with DSP, iCE40 HX8K, OSU018, settling
 `default_nettype none
 
 module blysk_angle_q24 (

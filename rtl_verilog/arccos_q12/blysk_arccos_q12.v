@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // device arccos, format q12, 18 digits of the root, table of 65 words, exported from the SystemC model.
+// What blysk knows of it, and the digest of its modules without this comment:
+//   computes: the angle of a cosine, by a square root and a table
+//   digest: sha256:3767f225a6545ea6ac56672e0de9a0c91db9a0866c16588bbdb05d416a12ad3c
+//   not known with these options: errors, certificate, iCE40, iCE40 with DSP, iCE40 HX8K, OSU018, settling
 `default_nettype none
 
 module blysk_arccos_q12 (

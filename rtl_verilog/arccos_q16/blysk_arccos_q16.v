@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // device arccos, format q16, 22 digits of the root, table of 257 words, exported from the SystemC model.
+// What blysk knows of it, and the digest of its modules without this comment:
+//   computes: the angle of a cosine, by a square root and a table
+//   digest: sha256:2c95670479acb2637f11653176f034025a576a6021cb1860eda817d1cc33a902
+//   not known with these options: errors, certificate, iCE40, iCE40 with DSP, iCE40 HX8K, OSU018, settling
 `default_nettype none
 
 module blysk_arccos_q16 (

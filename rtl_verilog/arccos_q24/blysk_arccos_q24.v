@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // device arccos, format q24, 30 digits of the root, table of 4097 words, exported from the SystemC model.
+// What blysk knows of it, and the digest of its modules without this comment:
+//   computes: the angle of a cosine, by a square root and a table
+//   digest: sha256:479cb5fc3932c4e372d8e863f6d8a5d85c2dee91e79b6f2bed2b252f55cbec65
+//   not known with these options: errors, certificate, iCE40, iCE40 with DSP, iCE40 HX8K, OSU018, settling
 `default_nettype none
 
 module blysk_arccos_q24 (

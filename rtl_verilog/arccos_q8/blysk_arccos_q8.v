@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // device arccos, format q8, 14 digits of the root, table of 17 words, exported from the SystemC model.
+// What blysk knows of it, and the digest of its modules without this comment:
+//   computes: the angle of a cosine, by a square root and a table
+//   digest: sha256:f4ade110c8cd4243b4765b2aeb34b341347b104623dc8e41faa266aa2a5dd2c0
+//   not known with these options: errors, certificate, iCE40, iCE40 with DSP, iCE40 HX8K, OSU018, settling
 `default_nettype none
 
 module blysk_arccos_q8 (

@@ -1,5 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // device cosine-quadratic, format q12, gated by the sign of adder 8, constants weigh unity, exported from the SystemC model.
+// What blysk knows of it, and the digest of its modules without this comment:
+//   computes: BRDF = (m (c - 1) + 1)^2, 0 where the line is negative, m = (n + 1)/3, c = cos(delta); red, green, blue = BRDF (R, G, B) k_s
+//   digest: sha256:a39f86b640fdd5525cd591555e74b224a8c374287e6bb15d0a8c35bd2437935c
+//   error against c^n, every code of the cosine: at most 0.111084 (n = 1, c = 0), bias -1.934e-05; 4097000 inputs, n in 1..1000, exhaustive
+//   error against c^n, pixels of a lit sphere, 512 x 512: at most 0.155161 (n = 1000, c = 0.999394173354759), bias 4.0879e-05; 146779000 inputs, n in 1..1000, exhaustive
+//   certificate: BRDF within 0.000211078 of what it computes in real numbers, proved by Gappa 1.4.1; at most 0.00019847022162550187 seen, 4097000 inputs, exhaustive
+//   settles: within 18.886 ns in OSU018 with its blocks apart, 18.886 ns seen in 20000 pairs of writes; OpenSTA 2.0.17, Yosys 0.23 (git sha1 7ce5011c24b)
+//   not known with these options: iCE40, iCE40 with DSP, iCE40 HX8K, OSU018
 `default_nettype none
 
 module blysk_cosine_quadratic_q12 (

@@ -1,5 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // device cosine-quadratic, format q16, gated by the sign of adder 8, constants weigh unity, exported from the SystemC model.
+// What blysk knows of it, and the digest of its modules without this comment:
+//   computes: BRDF = (m (c - 1) + 1)^2, 0 where the line is negative, m = (n + 1)/3, c = cos(delta); red, green, blue = BRDF (R, G, B) k_s
+//   digest: sha256:84075a8b14af107b1b4eb5e3024e1481a80ea711588d01d292a04be1f322c793
+//   error against c^n, every code of the cosine: at most 0.111115 (n = 1, c = 0), bias -1.85223e-05; 65537000 inputs, n in 1..1000, exhaustive
+//   error against c^n, pixels of a lit sphere, 512 x 512: at most 0.100967 (n = 1, c = 0.018539761437612663), bias 3.83624e-05; 146779000 inputs, n in 1..1000, exhaustive
+//   certificate: BRDF within 1.31926e-05 of what it computes in real numbers, proved by Gappa 1.4.1; at most 1.2348509497217552e-05 seen, 65537000 inputs, exhaustive
+//   not known with these options: iCE40, iCE40 with DSP, iCE40 HX8K, OSU018, settling
 `default_nettype none
 
 module blysk_cosine_quadratic_q16 (

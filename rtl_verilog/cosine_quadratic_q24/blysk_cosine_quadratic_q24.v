@@ -1,5 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // device cosine-quadratic, format q24, gated by the sign of adder 8, constants weigh unity, exported from the SystemC model.
+// What blysk knows of it, and the digest of its modules without this comment:
+//   computes: BRDF = (m (c - 1) + 1)^2, 0 where the line is negative, m = (n + 1)/3, c = cos(delta); red, green, blue = BRDF (R, G, B) k_s
+//   digest: sha256:51eb28c2817aeec2d1ec6cfc25390c205c20d0e638f1a592c9c5b1da5d984742
+//   certificate: BRDF within 5.15338e-08 of what it computes in real numbers, proved by Gappa 1.4.1; at most 4.792067592740423e-08 seen, 65536000 inputs, sampled
+//   not known with these options: errors, iCE40, iCE40 with DSP, iCE40 HX8K, OSU018, settling
 `default_nettype none
 
 module blysk_cosine_quadratic_q24 (

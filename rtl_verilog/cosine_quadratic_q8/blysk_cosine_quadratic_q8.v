@@ -1,5 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // device cosine-quadratic, format q8, gated by the sign of adder 8, constants weigh unity, exported from the SystemC model.
+// What blysk knows of it, and the digest of its modules without this comment:
+//   computes: BRDF = (m (c - 1) + 1)^2, 0 where the line is negative, m = (n + 1)/3, c = cos(delta); red, green, blue = BRDF (R, G, B) k_s
+//   digest: sha256:db292d6e9d07065c1031af07b07a0b062541609c4df2a9e1d2161d0cd191509a
+//   error against c^n, every code of the cosine: at most 0.109375 (n = 1, c = 0), bias -0.000154152; 257000 inputs, n in 1..1000, exhaustive
+//   error against c^n, pixels of a lit sphere, 512 x 512: at most 0.857831 (n = 1000, c = 0.9980511597743293), bias 0.000963287; 146779000 inputs, n in 1..1000, exhaustive
+//   certificate: BRDF within 0.00337632 of what it computes in real numbers, proved by Gappa 1.4.1; at most 0.003038194444444503 seen, 257000 inputs, exhaustive
+//   iCE40: 1318 LUT, 107 carry, 44 FF, 0 DSP, 20480 RAM bits; Yosys 0.23 (git sha1 7ce5011c24b)
+//   iCE40 with DSP: 98 LUT, 50 carry, 44 FF, 6 DSP, 20480 RAM bits; Yosys 0.23 (git sha1 7ce5011c24b)
+//   iCE40 HX8K: 21.71 MHz, the least of 5 seeds; nextpnr-ice40 -- Next Generation Place and Route (Version 0.4-1+b1), Yosys 0.23 (git sha1 7ce5011c24b)
+//   OSU018: 4073.4 NAND2, 3833 cells, longest path 13.373 ns; OpenSTA 2.0.17, Yosys 0.23 (git sha1 7ce5011c24b)
+//   settles: within 16.857 ns in OSU018 with its blocks apart, 16.857 ns seen in 20000 pairs of writes; OpenSTA 2.0.17, Yosys 0.23 (git sha1 7ce5011c24b)
 `default_nettype none
 
 module blysk_cosine_quadratic_q8 (

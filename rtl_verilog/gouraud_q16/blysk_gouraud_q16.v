@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // device gouraud, format q16, 16 shifts, exported from the SystemC model.
+// What blysk knows of it, and the digest of its modules without this comment:
+//   computes: a scan line between two colours, its increments by shifts
+//   digest: sha256:d6455f83356f3a66ab097ef15fadffc7703d44c38238ebc3a957cc7b585b7830
+//   not known with these options: errors, certificate, iCE40, iCE40 with DSP, iCE40 HX8K, OSU018, settling
 `default_nettype none
 
 module blysk_gouraud_q16 (

@@ -1,5 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // device lyon, format q12, degree 4, exported from the SystemC model.
+// What blysk knows of it, and the digest of its modules without this comment:
+//   computes: BRDF = max(0, 1 - n (1 - c)/4)^4, c = cos(delta); red, green, blue = BRDF (R, G, B) k_s
+//   digest: sha256:ea159469e723430bb774d3904b0b2e653f4af65bb9bf50bff097d70518952c67
+//   error against c^n, every code of the cosine: at most 0.316406 (n = 1, c = 0), bias -0.000700511; 4097000 inputs, n in 1..1000, exhaustive
+//   error against c^n, pixels of a lit sphere, 512 x 512: at most 0.305679 (n = 1, c = 0.018539761437612663), bias -0.00167708; 146779000 inputs, n in 1..1000, exhaustive
+//   certificate: BRDF within 0.000152588 of what it computes in real numbers, proved by Gappa 1.4.1; at most 0.00014995403818929276 seen, 4097000 inputs, exhaustive
+//   not known with these options: iCE40, iCE40 with DSP, iCE40 HX8K, OSU018, settling
 `default_nettype none
 
 module blysk_lyon_q12 (

@@ -1,5 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // device lyon, format q16, degree 4, exported from the SystemC model.
+// What blysk knows of it, and the digest of its modules without this comment:
+//   computes: BRDF = max(0, 1 - n (1 - c)/4)^4, c = cos(delta); red, green, blue = BRDF (R, G, B) k_s
+//   digest: sha256:8528aa428bdae4167dbb8887e67f4a42fc5597587af11391a50f9cec0508f7cb
+//   error against c^n, every code of the cosine: at most 0.316406 (n = 1, c = 0), bias -0.000700685; 65537000 inputs, n in 1..1000, exhaustive
+//   error against c^n, pixels of a lit sphere, 512 x 512: at most 0.305755 (n = 1, c = 0.018539761437612663), bias -0.00168157; 146779000 inputs, n in 1..1000, exhaustive
+//   certificate: BRDF within 9.53684e-06 of what it computes in real numbers, proved by Gappa 1.4.1; at most 9.495720561969456e-06 seen, 65537000 inputs, exhaustive
+//   not known with these options: iCE40, iCE40 with DSP, iCE40 HX8K, OSU018, settling
 `default_nettype none
 
 module blysk_lyon_q16 (

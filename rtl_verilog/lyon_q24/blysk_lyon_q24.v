@@ -1,5 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // device lyon, format q24, degree 4, exported from the SystemC model.
+// What blysk knows of it, and the digest of its modules without this comment:
+//   computes: BRDF = max(0, 1 - n (1 - c)/4)^4, c = cos(delta); red, green, blue = BRDF (R, G, B) k_s
+//   digest: sha256:0a0323eaa4aaa1f2997d42c5f714b574bb6c7b39a9b6c9060eb81f58fc520fb6
+//   certificate: BRDF within 3.72533e-08 of what it computes in real numbers, proved by Gappa 1.4.1; at most 3.7242897876765824e-08 seen, 65536000 inputs, sampled
+//   not known with these options: errors, iCE40, iCE40 with DSP, iCE40 HX8K, OSU018, settling
 `default_nettype none
 
 module blysk_lyon_q24 (

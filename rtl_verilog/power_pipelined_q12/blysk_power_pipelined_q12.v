@@ -1,5 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // device power-pipelined, format q12, 16 lines for the logarithm, 32 for the power of two, 8 stages, cuts 2,3,4,6,7,9,12, exported from the SystemC model.
+// What blysk knows of it, and the digest of its modules without this comment:
+//   computes: BRDF = c^n, c = cos(delta); red, green, blue = BRDF (R, G, B) k_s
+//   digest: sha256:85ca712e645f5b8db2eccc4662c0ee54052622e137b1a28291f715fcdc0d122d
+//   error against c^n, every code of the cosine: at most 0.000188697 (n = 482, c = 0.999755859375), bias -2.73016e-07; 4097000 inputs, n in 1..1000, exhaustive
+//   error against c^n, pixels of a lit sphere, 512 x 512: at most 0.112524 (n = 1000, c = 0.9998806334991259), bias 3.91938e-06; 146779000 inputs, n in 1..1000, exhaustive
+//   iCE40: 2652 LUT, 187 carry, 496 FF, 0 DSP, 0 RAM bits; Yosys 0.23 (git sha1 7ce5011c24b)
+//   iCE40 with DSP: 270 LUT, 57 carry, 496 FF, 8 DSP, 0 RAM bits; Yosys 0.23 (git sha1 7ce5011c24b)
+//   iCE40 HX8K: 63.68 MHz, the least of 5 seeds; nextpnr-ice40 -- Next Generation Place and Route (Version 0.4-1+b1), Yosys 0.23 (git sha1 7ce5011c24b)
+//   OSU018: 10847.6 NAND2, 9269 cells, longest path 6.904 ns; OpenSTA 2.0.17, Yosys 0.23 (git sha1 7ce5011c24b)
+//   not known with these options: certificate, settling
 `default_nettype none
 
 module blysk_power_pipelined_q12 (

@@ -1,5 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // device power-pipelined, format q16, 64 lines for the logarithm, 128 for the power of two, 8 stages, cuts 2,3,4,6,7,9,12, exported from the SystemC model.
+// What blysk knows of it, and the digest of its modules without this comment:
+//   computes: BRDF = c^n, c = cos(delta); red, green, blue = BRDF (R, G, B) k_s
+//   digest: sha256:2d0362bdf6efe5d45ade7ab3638e06e31cecef79220854a7b07e672fcaf31037
+//   error against c^n, every code of the cosine: at most 1.27468e-05 (n = 933, c = 0.99993896484375), bias -1.29824e-08; 65537000 inputs, n in 1..1000, exhaustive
+//   error against c^n, pixels of a lit sphere, 512 x 512: at most 0.00697416 (n = 1000, c = 0.9999930014352216), bias -2.79807e-07; 146779000 inputs, n in 1..1000, exhaustive
+//   not known with these options: certificate, iCE40, iCE40 with DSP, iCE40 HX8K, OSU018, settling
 `default_nettype none
 
 module blysk_power_pipelined_q16 (

@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // device power-pipelined, format q24, 1024 lines for the logarithm, 2048 for the power of two, 8 stages, cuts 2,3,4,6,7,9,12, exported from the SystemC model.
+// What blysk knows of it, and the digest of its modules without this comment:
+//   computes: BRDF = c^n, c = cos(delta); red, green, blue = BRDF (R, G, B) k_s
+//   digest: sha256:1151286a9c21a1c688cb26a81cdfbd615fa2ed857a70714e5ea2438654a5e97b
+//   not known with these options: errors, certificate, iCE40, iCE40 with DSP, iCE40 HX8K, OSU018, settling
 `default_nettype none
 
 module blysk_power_pipelined_q24 (

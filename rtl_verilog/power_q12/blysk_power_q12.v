@@ -1,5 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // device power, format q12, 16 lines for the logarithm, 32 for the power of two, exported from the SystemC model.
+// What blysk knows of it, and the digest of its modules without this comment:
+//   computes: BRDF = c^n, c = cos(delta); red, green, blue = BRDF (R, G, B) k_s
+//   digest: sha256:d4eb812a9d90b3c51132f5d7b60804a20679d3ed97d325c966454bfa99d5b8e2
+//   error against c^n, every code of the cosine: at most 0.000188697 (n = 482, c = 0.999755859375), bias -2.73016e-07; 4097000 inputs, n in 1..1000, exhaustive
+//   error against c^n, pixels of a lit sphere, 512 x 512: at most 0.112524 (n = 1000, c = 0.9998806334991259), bias 3.91938e-06; 146779000 inputs, n in 1..1000, exhaustive
+//   iCE40: 2609 LUT, 179 carry, 48 FF, 0 DSP, 0 RAM bits; Yosys 0.23 (git sha1 7ce5011c24b)
+//   iCE40 with DSP: 283 LUT, 57 carry, 48 FF, 8 DSP, 0 RAM bits; Yosys 0.23 (git sha1 7ce5011c24b)
+//   iCE40 HX8K: 12.99 MHz, the least of 5 seeds; nextpnr-ice40 -- Next Generation Place and Route (Version 0.4-1+b1), Yosys 0.23 (git sha1 7ce5011c24b)
+//   OSU018: 7454.7 NAND2, 7287 cells, longest path 26.558 ns; OpenSTA 2.0.17, Yosys 0.23 (git sha1 7ce5011c24b)
+//   settles: within 28.977 ns in OSU018 with its blocks apart, 28.626 ns seen in 20000 pairs of writes; OpenSTA 2.0.17, Yosys 0.23 (git sha1 7ce5011c24b)
+//   not known with these options: certificate
 `default_nettype none
 
 module blysk_power_q12 (

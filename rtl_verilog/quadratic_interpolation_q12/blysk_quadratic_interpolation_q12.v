@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // device quadratic-interpolation, format q12, 12 fraction bits, exported from the SystemC model.
+// What blysk knows of it, and the digest of its modules without this comment:
+//   computes: a scan line of a quadratic polynomial, by forward differences
+//   digest: sha256:51a744fe7819ce93b2b94f52c2ff668deb03f3bb263af58e57149a11ff95520d
+//   not known with these options: errors, certificate, iCE40, iCE40 with DSP, iCE40 HX8K, OSU018, settling
 `default_nettype none
 
 module blysk_quadratic_interpolation_q12 (

@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // device quadratic-interpolation, format q16, 16 fraction bits, exported from the SystemC model.
+// What blysk knows of it, and the digest of its modules without this comment:
+//   computes: a scan line of a quadratic polynomial, by forward differences
+//   digest: sha256:2e6a1796ad948e1818c299d904853bae910acaf05d0088153c56b04d1480070e
+//   not known with these options: errors, certificate, iCE40, iCE40 with DSP, iCE40 HX8K, OSU018, settling
 `default_nettype none
 
 module blysk_quadratic_interpolation_q16 (

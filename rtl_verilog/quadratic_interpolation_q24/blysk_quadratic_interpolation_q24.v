@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // device quadratic-interpolation, format q24, 24 fraction bits, exported from the SystemC model.
+// What blysk knows of it, and the digest of its modules without this comment:
+//   computes: a scan line of a quadratic polynomial, by forward differences
+//   digest: sha256:c48c59df1e057719ac084a2bfd7025d3b90447e03a831687b58ebdb21d577610
+//   not known with these options: errors, certificate, iCE40, iCE40 with DSP, iCE40 HX8K, OSU018, settling
 `default_nettype none
 
 module blysk_quadratic_interpolation_q24 (

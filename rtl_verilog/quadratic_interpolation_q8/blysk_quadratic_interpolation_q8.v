@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // device quadratic-interpolation, format q8, 8 fraction bits, exported from the SystemC model.
+// What blysk knows of it, and the digest of its modules without this comment:
+//   computes: a scan line of a quadratic polynomial, by forward differences
+//   digest: sha256:a6e8cfa63eb3eb9458129699204c65b8e5b222dc1b2e8996c109ba17ada8e596
+//   not known with these options: errors, certificate, iCE40, iCE40 with DSP, iCE40 HX8K, OSU018, settling
 `default_nettype none
 
 module blysk_quadratic_interpolation_q8 (

@@ -1,5 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // device quadratic-pipelined, format q16, coefficient derived, BRDF clamped to [0, 1], 5 stages, cuts 1,2,3,5, exported from the SystemC model.
+// What blysk knows of it, and the digest of its modules without this comment:
+//   computes: BRDF = max(0, a (c^2 - c) + c), a = 2 (1 - e^(-1/2)) n - 1/2, c = cos(delta); red, green, blue = BRDF (R, G, B) k_s
+//   digest: sha256:de0a1d0b5ed72f60ea7a2bad58d8c1ab7f995ebcdc898b02a9a56f24ef04fa76
+//   error against c^n, every code of the cosine: at most 0.280155 (n = 969, c = 0.998687744140625), bias -0.00186833; 65537000 inputs, n in 1..1000, exhaustive
+//   error against c^n, pixels of a lit sphere, 512 x 512: at most 0.281937 (n = 926, c = 0.9986336845598192), bias -0.00363547; 146779000 inputs, n in 1..1000, exhaustive
+//   not known with these options: certificate, iCE40, iCE40 with DSP, iCE40 HX8K, OSU018, settling
 `default_nettype none
 
 module blysk_quadratic_pipelined_q16 (

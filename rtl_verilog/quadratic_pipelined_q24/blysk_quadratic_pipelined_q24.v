@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // device quadratic-pipelined, format q24, coefficient derived, BRDF clamped to [0, 1], 5 stages, cuts 1,2,3,5, exported from the SystemC model.
+// What blysk knows of it, and the digest of its modules without this comment:
+//   computes: BRDF = max(0, a (c^2 - c) + c), a = 2 (1 - e^(-1/2)) n - 1/2, c = cos(delta); red, green, blue = BRDF (R, G, B) k_s
+//   digest: sha256:365c34a3e57e57d369d76ae2b3c421800a3cccaa5b22f097578588496e6a4e88
+//   not known with these options: errors, certificate, iCE40, iCE40 with DSP, iCE40 HX8K, OSU018, settling
 `default_nettype none
 
 module blysk_quadratic_pipelined_q24 (

@@ -1,5 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // device quadratic, format q12, coefficient derived, BRDF clamped to [0, 1], exported from the SystemC model.
+// What blysk knows of it, and the digest of its modules without this comment:
+//   computes: BRDF = max(0, a (c^2 - c) + c), a = 2 (1 - e^(-1/2)) n - 1/2, c = cos(delta); red, green, blue = BRDF (R, G, B) k_s
+//   digest: sha256:dfccf19122659116dfc7230c1b915a17e1d80909212ab3ecbca871393c770329
+//   error against c^n, every code of the cosine: at most 0.27991 (n = 868, c = 0.99853515625), bias -0.00186795; 4097000 inputs, n in 1..1000, exhaustive
+//   error against c^n, pixels of a lit sphere, 512 x 512: at most 0.308552 (n = 868, c = 0.9986471440712392), bias -0.00363163; 146779000 inputs, n in 1..1000, exhaustive
+//   certificate: BRDF within 0.00022899 of what it computes in real numbers, proved by Gappa 1.4.1; at most 0.000214905961466858 seen, 4097000 inputs, exhaustive
+//   iCE40: 2463 LUT, 128 carry, 48 FF, 0 DSP, 0 RAM bits; Yosys 0.23 (git sha1 7ce5011c24b)
+//   iCE40 with DSP: 109 LUT, 90 carry, 48 FF, 9 DSP, 0 RAM bits; Yosys 0.23 (git sha1 7ce5011c24b)
+//   iCE40 HX8K: 21.24 MHz, the least of 5 seeds; nextpnr-ice40 -- Next Generation Place and Route (Version 0.4-1+b1), Yosys 0.23 (git sha1 7ce5011c24b)
+//   OSU018: 7044 NAND2, 6858 cells, longest path 16.041 ns; OpenSTA 2.0.17, Yosys 0.23 (git sha1 7ce5011c24b)
+//   settles: within 17.732 ns in OSU018 with its blocks apart, 17.732 ns seen in 20000 pairs of writes; OpenSTA 2.0.17, Yosys 0.23 (git sha1 7ce5011c24b)
 `default_nettype none
 
 module blysk_quadratic_q12 (

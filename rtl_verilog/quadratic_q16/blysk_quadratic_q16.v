@@ -1,5 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // device quadratic, format q16, coefficient derived, BRDF clamped to [0, 1], exported from the SystemC model.
+// What blysk knows of it, and the digest of its modules without this comment:
+//   computes: BRDF = max(0, a (c^2 - c) + c), a = 2 (1 - e^(-1/2)) n - 1/2, c = cos(delta); red, green, blue = BRDF (R, G, B) k_s
+//   digest: sha256:c0158a1697a76c345578f9c94e01029c35ee23c39b252cf60d2d38b7dba8a6dd
+//   error against c^n, every code of the cosine: at most 0.280155 (n = 969, c = 0.998687744140625), bias -0.00186833; 65537000 inputs, n in 1..1000, exhaustive
+//   error against c^n, pixels of a lit sphere, 512 x 512: at most 0.281937 (n = 926, c = 0.9986336845598192), bias -0.00363547; 146779000 inputs, n in 1..1000, exhaustive
+//   certificate: BRDF within 1.26083e-05 of what it computes in real numbers, proved by Gappa 1.4.1; at most 1.188913569476202e-05 seen, 65537000 inputs, exhaustive
+//   settles: within 19.677 ns in OSU018 with its blocks apart, 19.677 ns seen in 20000 pairs of writes; OpenSTA 2.0.17, Yosys 0.23 (git sha1 7ce5011c24b)
+//   not known with these options: iCE40, iCE40 with DSP, iCE40 HX8K, OSU018
 `default_nettype none
 
 module blysk_quadratic_q16 (

@@ -1,5 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // device quadratic, format q24, coefficient derived, BRDF clamped to [0, 1], exported from the SystemC model.
+// What blysk knows of it, and the digest of its modules without this comment:
+//   computes: BRDF = max(0, a (c^2 - c) + c), a = 2 (1 - e^(-1/2)) n - 1/2, c = cos(delta); red, green, blue = BRDF (R, G, B) k_s
+//   digest: sha256:5d31ba00514916dd95bc34f7ea778738dd985273ef6e29329881024de1b8ac15
+//   certificate: BRDF within 5.84844e-08 of what it computes in real numbers, proved by Gappa 1.4.1; at most 5.7574682866753935e-08 seen, 65536000 inputs, sampled
+//   not known with these options: errors, iCE40, iCE40 with DSP, iCE40 HX8K, OSU018, settling
 `default_nettype none
 
 module blysk_quadratic_q24 (

@@ -1,5 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // device quadratic, format q8, coefficient derived, BRDF clamped to [0, 1], exported from the SystemC model.
+// What blysk knows of it, and the digest of its modules without this comment:
+//   computes: BRDF = max(0, a (c^2 - c) + c), a = 2 (1 - e^(-1/2)) n - 1/2, c = cos(delta); red, green, blue = BRDF (R, G, B) k_s
+//   digest: sha256:25c1d80cc92407f4cf8c7b28f96baacb238e712ef8a557367b957ac45b09912d
+//   error against c^n, every code of the cosine: at most 0.27808 (n = 327, c = 0.99609375), bias -0.00176971; 257000 inputs, n in 1..1000, exhaustive
+//   error against c^n, pixels of a lit sphere, 512 x 512: at most 0.857831 (n = 1000, c = 0.9980511597743293), bias -0.00222889; 146779000 inputs, n in 1..1000, exhaustive
+//   certificate: BRDF within 0.00454792 of what it computes in real numbers, proved by Gappa 1.4.1; at most 0.004150896096090399 seen, 257000 inputs, exhaustive
+//   iCE40: 1311 LUT, 90 carry, 44 FF, 0 DSP, 0 RAM bits; Yosys 0.23 (git sha1 7ce5011c24b)
+//   iCE40 with DSP: 67 LUT, 46 carry, 44 FF, 7 DSP, 0 RAM bits; Yosys 0.23 (git sha1 7ce5011c24b)
+//   iCE40 HX8K: 25.48 MHz, the least of 5 seeds; nextpnr-ice40 -- Next Generation Place and Route (Version 0.4-1+b1), Yosys 0.23 (git sha1 7ce5011c24b)
+//   OSU018: 3991.3 NAND2, 3837 cells, longest path 12.654 ns; OpenSTA 2.0.17, Yosys 0.23 (git sha1 7ce5011c24b)
+//   settles: within 14.415 ns in OSU018 with its blocks apart, 14.415 ns seen in 20000 pairs of writes; OpenSTA 2.0.17, Yosys 0.23 (git sha1 7ce5011c24b)
 `default_nettype none
 
 module blysk_quadratic_q8 (

@@ -1,5 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // device quadratic-rom, format q12, memory of 1000 words of 22 bits, coefficient exact, BRDF clamped to [0, 1], exported from the SystemC model.
+// What blysk knows of it, and the digest of its modules without this comment:
+//   computes: BRDF = max(0, a (c^2 - c) + c), a = (t^(n-1) - 1)/(t - 1), t = sqrt((n-1)/n), c = cos(delta); red, green, blue = BRDF (R, G, B) k_s
+//   digest: sha256:f7bec1bd4a42e5c397b474d851661c25a855850e386dd3e01c68c013689a5c11
+//   error against c^n, every code of the cosine: at most 0.27991 (n = 868, c = 0.99853515625), bias -0.00179989; 4097000 inputs, n in 1..1000, exhaustive
+//   error against c^n, pixels of a lit sphere, 512 x 512: at most 0.308552 (n = 868, c = 0.9986471440712392), bias -0.00355862; 146779000 inputs, n in 1..1000, exhaustive
+//   certificate: BRDF within 0.000152596 of what it computes in real numbers, proved by Gappa 1.4.1; at most 0.00014268198210146132 seen, 4097000 inputs, exhaustive
+//   settles: within 19.088 ns in OSU018 with its blocks apart, 19.088 ns seen in 20000 pairs of writes; OpenSTA 2.0.17, Yosys 0.23 (git sha1 7ce5011c24b)
+//   not known with these options: iCE40, iCE40 with DSP, iCE40 HX8K, OSU018
 `default_nettype none
 
 module blysk_quadratic_rom_q12 (

@@ -1,5 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // device quadratic-rom, format q16, memory of 1000 words of 26 bits, coefficient exact, BRDF clamped to [0, 1], exported from the SystemC model.
+// What blysk knows of it, and the digest of its modules without this comment:
+//   computes: BRDF = max(0, a (c^2 - c) + c), a = (t^(n-1) - 1)/(t - 1), t = sqrt((n-1)/n), c = cos(delta); red, green, blue = BRDF (R, G, B) k_s
+//   digest: sha256:4842ab6fa39be38c3fd8e375bdbbf9eeeb766220a9e599b6cc656bab0faa9d61
+//   error against c^n, every code of the cosine: at most 0.280155 (n = 969, c = 0.998687744140625), bias -0.00179986; 65537000 inputs, n in 1..1000, exhaustive
+//   error against c^n, pixels of a lit sphere, 512 x 512: at most 0.281937 (n = 926, c = 0.9986336845598192), bias -0.0035617; 146779000 inputs, n in 1..1000, exhaustive
+//   certificate: BRDF within 9.56703e-06 of what it computes in real numbers, proved by Gappa 1.4.1; at most 8.859012818870915e-06 seen, 65537000 inputs, exhaustive
+//   not known with these options: iCE40, iCE40 with DSP, iCE40 HX8K, OSU018, settling
 `default_nettype none
 
 module blysk_quadratic_rom_q16 (

@@ -1,5 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // device quadratic-rom, format q24, memory of 1000 words of 30 bits, coefficient exact, BRDF clamped to [0, 1], exported from the SystemC model.
+// What blysk knows of it, and the digest of its modules without this comment:
+//   computes: BRDF = max(0, a (c^2 - c) + c), a = (t^(n-1) - 1)/(t - 1), t = sqrt((n-1)/n), c = cos(delta); red, green, blue = BRDF (R, G, B) k_s
+//   digest: sha256:b8e831f6e1d7e7e80ba431960c85ef95b6f7761e5c3e18123ccdf31c56216034
+//   certificate: BRDF within 1.49269e-07 of what it computes in real numbers, proved by Gappa 1.4.1; at most 1.319450110182259e-07 seen, 65536000 inputs, sampled
+//   not known with these options: errors, iCE40, iCE40 with DSP, iCE40 HX8K, OSU018, settling
 `default_nettype none
 
 module blysk_quadratic_rom_q24 (

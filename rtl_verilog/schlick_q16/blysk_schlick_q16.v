@@ -1,5 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // device schlick, format q16, a combinational divider, exported from the SystemC model.
+// What blysk knows of it, and the digest of its modules without this comment:
+//   computes: BRDF = c / (n - n c + c), c = cos(delta); red, green, blue = BRDF (R, G, B) k_s
+//   digest: sha256:70ca5a05eb6bd4ea05d709489f12931fb69423a2fe2e507acc02f91971733257
+//   error against c^n, every code of the cosine: at most 0.203381 (n = 991, c = 0.997467041015625), bias 0.0133607; 65537000 inputs, n in 1..1000, exhaustive
+//   error against c^n, pixels of a lit sphere, 512 x 512: at most 0.203946 (n = 943, c = 0.9973527265915006), bias 0.0234751; 146779000 inputs, n in 1..1000, exhaustive
+//   certificate: BRDF within 7.62947e-06 of what it computes in real numbers, proved by Gappa 1.4.1; at most 7.62939453125e-06 seen, 65537000 inputs, exhaustive
+//   not known with these options: iCE40, iCE40 with DSP, iCE40 HX8K, OSU018, settling
 `default_nettype none
 
 module blysk_schlick_q16 (

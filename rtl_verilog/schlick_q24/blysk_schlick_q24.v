@@ -1,5 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // device schlick, format q24, a combinational divider, exported from the SystemC model.
+// What blysk knows of it, and the digest of its modules without this comment:
+//   computes: BRDF = c / (n - n c + c), c = cos(delta); red, green, blue = BRDF (R, G, B) k_s
+//   digest: sha256:42c970ed1bf516cbde80cda47c26da9499604cfa725dc56e9016e1ddd50e36f0
+//   certificate: BRDF within 2.98026e-08 of what it computes in real numbers, proved by Gappa 1.4.1; at most 2.9802321723729902e-08 seen, 65536000 inputs, sampled
+//   not known with these options: errors, iCE40, iCE40 with DSP, iCE40 HX8K, OSU018, settling
 `default_nettype none
 
 module blysk_schlick_q24 (

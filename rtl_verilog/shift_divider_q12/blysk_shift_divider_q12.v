@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // device shift-divider, format q12, 12 shifts, exported from the SystemC model.
+// What blysk knows of it, and the digest of its modules without this comment:
+//   computes: division of a difference by a run length, by shifts and additions
+//   digest: sha256:e1f2ec97d14e5a944d5783fb8aedfea0282fb822836f8992b1207a9de35f28ba
+//   not known with these options: errors, certificate, iCE40, iCE40 with DSP, iCE40 HX8K, OSU018, settling
 `default_nettype none
 
 module blysk_shift_divider_q12 (

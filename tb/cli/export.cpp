@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "tb/cli/verbs.h"
-#include "tb/cost/measured.h"
+#include "tb/cost/annotated.h"
 #include "tb/device_arguments.h"
 #include "tb/export/serial.h"
 #include "tb/netlist/elaborated.h"
@@ -46,7 +46,7 @@ void run(const options& asked) {
   const selection chosen = asked.device.choose();
   const std::string name = chosen.top_name();
   const auto device = chosen.of().elaborate(chosen, 0);
-  verilog::files files = verilog::export_files(*device, name, chosen.text(), cost::clock_of(chosen));
+  verilog::files files = cost::annotated_export(*device, chosen);
   if (asked.wrapper == kSerial) {
     files[name + "_serial.v"] = verilog::serial_text(*device, name, chosen.text());
     files[name + "_serial.pcf"] = verilog::serial_pins(name);

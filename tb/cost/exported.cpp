@@ -10,7 +10,7 @@
 #include <iterator>
 #include <string_view>
 
-#include "tb/cost/measured.h"
+#include "tb/cost/annotated.h"
 #include "tb/export/export.h"
 #include "tb/export/replay.h"
 #include "tb/program.h"
@@ -63,7 +63,7 @@ std::map<std::string, std::string> parse(const std::vector<std::string>& words) 
 
 int run(const std::string& action, const fs::path& directory, const selection& asked) {
   const auto device = asked.of().elaborate(asked, 0);
-  const files exported = export_files(*device, asked.top_name(), asked.text(), cost::clock_of(asked));
+  const files exported = cost::annotated_export(*device, asked);
   if (action == "check") return is_current(exported, read_directory(directory)) ? 0 : 1;
   if (action == "update") {
     if (read_directory(directory) == exported) return 0;

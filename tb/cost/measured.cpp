@@ -195,19 +195,17 @@ std::vector<configuration> read_measured(const std::string& folder) {
   return all;
 }
 
-std::optional<cost_row> measured_cost(const selection& asked) {
-  const std::string path = row_path("cost", asked);
+std::optional<std::string> embedded_text(const std::string& path) {
   const auto found = std::ranges::find(embedded_files(), path, &measured_file::path);
   if (found == embedded_files().end()) return std::nullopt;
-  return parse_cost_row(path, std::string(found->text));
+  return std::string(found->text);
 }
 
-std::optional<verilog::reached_clock> clock_of(const selection& asked) {
-  const std::optional<cost_row> row = measured_cost(asked);
-  if (!row || !row->osu018) return std::nullopt;
-  return verilog::reached_clock{
-      row->osu018->path_ns,
-      fmt::format("OSU018, {:.2f} (docs/tables/{})", row->osu018->path_ns, row_path("cost", asked))};
+std::optional<cost_row> measured_cost(const selection& asked) {
+  const std::string path = row_path("cost", asked);
+  const std::optional<std::string> text = embedded_text(path);
+  if (!text) return std::nullopt;
+  return parse_cost_row(path, *text);
 }
 
 void look_for_stale(std::vector<configuration>& all) {

@@ -12,7 +12,6 @@
 #include "tb/cost/cost_row.h"
 #include "tb/cost/energy_row.h"
 #include "tb/cost/errors.h"
-#include "tb/export/export.h"
 
 namespace blysk::cost {
 
@@ -66,8 +65,9 @@ std::vector<configuration> read_measured(const std::string& folder);
 /// The embedded row of a device in a format with options; empty if it was not measured.
 std::optional<cost_row> measured_cost(const selection& asked);
 
-/// The clock that its longest path in OSU018 allows, for the constraints of its export; empty if it was not measured.
-std::optional<verilog::reached_clock> clock_of(const selection& asked);
+/// The text of an embedded file; empty if there is none.
+/// \param path  below docs/tables
+std::optional<std::string> embedded_text(const std::string& path);
 
 /// Finds which rows are stale. It exports each device in a process of its own.
 void look_for_stale(std::vector<configuration>& all);

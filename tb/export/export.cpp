@@ -86,7 +86,10 @@ std::string core_text(const std::string& name, const std::string& what, const fi
       has_bench ? fmt::format(kBenchTarget, name) : "");
 }
 
-std::string constraints_text(const netlist::elaborated& device, const std::optional<reached_clock>& clock) {
+}  // namespace
+
+std::string constraints_text(const netlist::elaborated& device, const measured_times& times) {
+  const std::optional<reached_clock>& clock = times.clock;
   std::vector<port> ports;
   for (const auto& each : device.ports()) ports.push_back(each->what);
   const auto names = [&](auto&& is_wanted) {
@@ -120,6 +123,13 @@ std::string constraints_text(const netlist::elaborated& device, const std::optio
         "samples its\n"
         "# results. With a shorter clk_period the host waits more of them between two strobes.\n"
         "set strobe_gap 1\n";
+    if (times.settling) {
+      text += fmt::format(
+          "# The results settle within {0:.3f} ns of the edge in {1}.\n"
+          "# Without its #, the next line makes a host wait for that at any clk_period.\n"
+          "# set strobe_gap [expr {{int(ceil({0:.3f} / $clk_period))}}]\n",
+          times.settling->bound_ns, times.settling->words);
+    }
   }
   for (const std::string& clk : clocks) {
     text += fmt::format("create_clock -name {0} -period $clk_period [get_ports {0}]\n", clk);
@@ -132,13 +142,20 @@ std::string constraints_text(const netlist::elaborated& device, const std::optio
         "set_multicycle_path [expr {{$strobe_gap - 1}}] -hold -to [get_ports {{{0}}}]\n",
         fmt::join(results, " "));
   }
+  if (has_strobes && times.settling) {
+    text += fmt::format(
+        "# Without its #, the next line asks for the time of these cells, in which the results settle, "
+        "whatever "
+        "clk_period is;\n"
+        "# it then counts instead of the multicycle paths.\n"
+        "# set_max_delay {:.3f} -to [get_ports {{{}}}]\n",
+        times.settling->bound_ns, fmt::join(results, " "));
+  }
   return text;
 }
 
-}  // namespace
-
 files export_files(const netlist::elaborated& device, const std::string& name, const std::string& title,
-                   const std::optional<reached_clock>& clock) {
+                   const measured_times& times) {
   sc_core::sc_start(sc_core::SC_ZERO_TIME);  // elaborates: what ports are bound to is known then
   std::map<std::string, std::string> notes;
   for (const auto& each : device.ports()) notes[each->what.name] = each->what.text();
@@ -151,13 +168,13 @@ files export_files(const netlist::elaborated& device, const std::string& name, c
   result[name + ".f"] = list;
   if (!bench.empty()) result[name + "_bench.vt"] = bench;
   result[name + ".core"] = core;
-  result[name + ".sdc"] = constraints_text(device, clock);
+  result[name + ".sdc"] = constraints_text(device, times);
   result[name + ".gtkw"] = netlist::layout_text(device, title, "TOP." + name, netlist::waves_of::verilog);
   return result;
 }
 
-files export_files(const selection& asked, const std::optional<reached_clock>& clock) {
-  return export_files(*asked.of().elaborate(asked, 0), asked.top_name(), asked.text(), clock);
+files export_files(const selection& asked) {
+  return export_files(*asked.of().elaborate(asked, 0), asked.top_name(), asked.text());
 }
 
 }  // namespace blysk::verilog

@@ -61,6 +61,20 @@ std::function<double(double, double)> parabola::bound(const selection& asked) co
   return error_bound(*this, asked);
 }
 
+std::string parabola::equation(const selection& asked) const {
+  const std::string lobe = "a (c^2 - c) + c";
+  const std::string brdf = asked.flag("as-published") ? lobe : "max(0, " + lobe + ")";
+  switch (line_of(asked)) {
+    case golden::coefficient_line::published:
+      return "BRDF = " + brdf + ", a = 0.786 n + 1/2";
+    case golden::coefficient_line::derived:
+      return "BRDF = " + brdf + ", a = 2 (1 - e^(-1/2)) n - 1/2";
+    case golden::coefficient_line::exact:
+      break;
+  }
+  return "BRDF = " + brdf + ", a = (t^(n-1) - 1)/(t - 1), t = sqrt((n-1)/n)";
+}
+
 std::function<double(double, double)> parabola::formula(const selection& asked) const {
   const auto line = line_of(asked);
   if (asked.flag("as-published"))

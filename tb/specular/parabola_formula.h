@@ -9,6 +9,7 @@ namespace blysk::specular {
 /// A device whose options name a line of a, "coefficient", and the lobe, "as-published".
 class parabola : public device_of_points {
  public:
+  std::string equation(const selection& asked) const override;
   std::function<double(double, double)> formula(const selection& asked) const override;
   double root(const selection& asked, double n) const override;
 

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "tb/device.h"
@@ -21,6 +22,9 @@ class device_of_points : public device {
                                     std::span<const std::int64_t> before) const override;
 
   std::unique_ptr<engine> make_golden(const selection& asked) const override;
+
+  /// The device's own formula in words, "BRDF = c / (n - n c + c)", c = cos(delta).
+  virtual std::string equation(const selection& asked) const = 0;
 
   /// The device's own formula: BRDF of n and cos(delta), limited as the options say.
   virtual std::function<double(double n, double c)> formula(const selection& asked) const = 0;

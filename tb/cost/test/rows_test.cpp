@@ -4,6 +4,8 @@
 #include <fstream>
 
 #include "tb/catch.h"
+#include "tb/cost/annotated.h"
+#include "tb/cost/certificate_row.h"
 #include "tb/cost/digest.h"
 #include "tb/cost/page.h"
 #include "tb/cost/reports.h"
@@ -248,6 +250,47 @@ TEST_CASE("a row of other Verilog is stale", "[cost]") {
   look_for_stale(all);
   CHECK(!all[0].is_stale);
   CHECK(all[1].is_stale);
+}
+
+TEST_CASE("the head of an export leaves out what belongs to another Verilog", "[cost]") {
+  const selection asked = choose(kDevice, "q8");
+  const std::string today = exported_digests({asked}).front();
+  const std::string head = head_of(asked, today);
+  for (const char* const line :
+       {"//   computes: ", "//   iCE40: ", "//   iCE40 HX8K: ", "//   OSU018: ", "//   settles: "})
+    CHECK_THAT(head, Contains(line));
+  CHECK_THAT(head, Contains("//   digest: " + today + "\n"));
+  const std::string other = head_of(asked, "sha256:of another");
+  for (const char* const line :
+       {"//   iCE40: ", "//   iCE40 HX8K: ", "//   OSU018: ", "//   settles: ", "certificate: "})
+    CHECK_THAT(other, !Contains(line));
+  CHECK_THAT(other, Contains("options: certificate, iCE40, iCE40 with DSP, iCE40 HX8K, OSU018, settling\n"));
+}
+
+TEST_CASE("a damaged certificate is refused in one line", "[cost]") {
+  const certificate row{
+      .device = kDevice,
+      .format = "q8",
+      .digest = "sha256:1",
+      .gappa = "1.4.1",
+      .bound = 0.5,
+      .seen = {.max_abs_err = 0.25, .n = 3, .cos = 0.5, .inputs = 7, .is_exhaustive = true}};
+  const std::string text = stored_text(json_of(row));
+  CHECK(stored_text(json_of(parse_certificate("file", text))) == text);
+  const auto refused = [&](const std::string& from, const std::string& to) {
+    std::string damaged = text;
+    const std::size_t at = damaged.find(from);
+    REQUIRE(at != std::string::npos);
+    damaged.replace(at, from.size(), to);
+    CHECK_THROWS_WITH(parse_certificate("file", damaged), Contains("file: is damaged") && !Contains("\n"));
+  };
+  refused("\"bound\"", "\"bond\"");
+  refused("0.5", "-0.5");
+  refused("0.25", "0.0");
+  refused("0.25", "0.75");
+  refused("\"q8\"", "\"q9\"");
+  refused("0.5", "\"0.5\"");
+  CHECK_THROWS_WITH(with_certificates(BLYSK_TABLES, "page", "no place"), Contains("page: has no place"));
 }
 
 TEST_CASE("the wrapper connects every port once", "[cost]") {

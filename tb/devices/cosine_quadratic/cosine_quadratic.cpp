@@ -184,6 +184,18 @@ class cosine_quadratic final : public specular::device_of_points {
             (shape.has_factor ? 6 + shape.factor_bits : 0));
   }
 
+  std::string equation(const selection& asked) const override {
+    const char* const line =
+        weighs_an_lsb(asked) ? "m (c - one last place) + one last place" : "m (c - 1) + 1";
+    std::string text = fmt::format("BRDF = ({})^2", line);
+    if (asked.value("energy") == "published") text = fmt::format("BRDF = (n + 6)/24.55 ({})^2", line);
+    if (asked.value("energy") == "safe") text = fmt::format("BRDF = (n + 1)/(8 pi) ({})^2", line);
+    return text +
+           (gates_by_limit(asked) ? ", 0 where the square is below c^n at the line's root"
+                                  : ", 0 where the line is negative") +
+           ", m = (n + 1)/3";
+  }
+
   std::function<double(double, double)> formula(const selection& asked) const override {
     const bool is_preset = !weighs_an_lsb(asked) && !gates_by_limit(asked);
     if (asked.value("energy") == "published") return golden::cosine_quadratic_energy<double>;

@@ -85,6 +85,9 @@ class lyon final : public specular::device_of_points {
 
   std::string words(const selection& asked) const override { return fmt::format("degree {}", degree(asked)); }
 
+  std::string equation(const selection& asked) const override {
+    return fmt::format("BRDF = max(0, 1 - n (1 - c)/{0})^{0}", degree(asked));
+  }
   std::function<double(double, double)> formula(const selection& asked) const override {
     if (degree(asked) == 2) return golden::lyon<2, double>;
     if (degree(asked) == 4) return golden::lyon<4, double>;

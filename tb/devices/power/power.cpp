@@ -123,6 +123,7 @@ class power final : public specular::device_of_points {
     });
   }
 
+  std::string equation(const selection&) const override { return "BRDF = c^n"; }
   std::function<double(double, double)> formula(const selection&) const override {
     return golden::blinn<double>;
   }

@@ -53,6 +53,7 @@ class schlick final : public specular::device_of_points {
   void check(const selection&) const override {}
   std::string words(const selection&) const override { return "a combinational divider"; }
 
+  std::string equation(const selection&) const override { return "BRDF = c / (n - n c + c)"; }
   std::function<double(double, double)> formula(const selection&) const override {
     return golden::schlick<double>;
   }

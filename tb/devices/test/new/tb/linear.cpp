@@ -50,6 +50,7 @@ class linear final : public device_of_points {
   void check(const selection&) const override {}
   std::string words(const selection&) const override { return ""; }
 
+  std::string equation(const selection&) const override { return "BRDF = max(0, 1 - n (1 - c))"; }
   std::function<double(double, double)> formula(const selection&) const override {
     return [](double n, double c) { return std::max(0.0, 1 - n * (1 - c)); };
   }

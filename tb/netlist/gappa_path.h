@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The datapath of a device as definitions for Gappa, read from its netlist.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "tb/netlist/elaborated.h"
+
+namespace blysk::netlist {
+
+/// What is made wrong in the netlist as it is read, so that a proof can be seen to fail.
+enum class planted_fault {
+  none,
+  no_rounding,   ///< roundings drop their bits
+  narrow_words,  ///< wired constants and words of memories lose their two lowest bits
+};
+
+/// A net that a memory drives.
+struct memory_net {
+  std::string net, index;           ///< the net, and the one that addresses it
+  int frac;                         ///< fraction bits of the net
+  std::vector<std::int64_t> words;  ///< raw, by address
+};
+
+/// One way through the selections of the datapath.
+struct gappa_path {
+  std::vector<std::string>
+      definitions;  ///< "cos2 = cos_delta * cos_delta;" in the order of data, real numbers by net
+  std::vector<std::string> conditions;  ///< "brdf_1 >= 0": what makes the selections choose this way
+  std::vector<std::string> hints;       ///< rewriting rules of the roundings
+};
+
+struct gappa_netlist {
+  std::vector<std::string> facts;  ///< the legal codes of the inputs, "cos_i_code in [0, 256]"
+  std::vector<memory_net> memories;
+  std::vector<gappa_path> paths;
+};
+
+/// The path from the device's data ports to a net, each net a real number by its format, registers transparent: laws are
+/// taken at the netlist's own formats, a right shift as a rounding down to the last place that is kept.
+///
+/// floor((floor(x) + k) / 2^d) is taken as floor((x + k) / 2^d), k an integer; both are equal. Nets are taken not to wrap,
+/// what no_overflow() of the device's formats excludes for legal inputs. A block that calls itself a divider has a law of bits; it is
+/// taken as the quotient, rounded down, what its own test shows.
+/// \param result  name of the net
+/// \throws std::logic_error for a law that cannot be told to Gappa
+gappa_netlist read_gappa(const elaborated& device, const std::string& result, planted_fault fault);
+
+}  // namespace blysk::netlist
