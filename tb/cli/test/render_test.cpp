@@ -248,11 +248,11 @@ TEST_CASE("a bad scene is one line that names file and line", "[cli][render]") {
   refuses_text(
       "a.json",
       R"({"mesh": "sphere", "density": )" + std::string(200'000, '[') + std::string(200'000, ']') + "}",
-      ": density: is an array, expected a number in [2, ");
+      ": density: is an array, expected a number in [1, ");
   refuses_text("a.json", R"({"mesh": "sphere", ")" + std::string(100'000, 'x') + "\": 1}",
                "xxx...', expected mesh");
   refuses_text("a.json", R"({"mesh": "sphere", "density": ")" + std::string(100'000, 'x') + "\"}",
-               "xxx..., expected a number in [2, ");
+               "xxx..., expected a number in [1, ");
   refuses_text("a.json", R"({"mesh": 1e999})", ": has a number beyond 1.8e308, expected a scene");
   refuses_text("a.json", "[]", ": the file: is array, expected an object");
   refuses_text("a.json", R"({"lights": []})", ": the file: has no mesh, expected its name");
