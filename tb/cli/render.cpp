@@ -39,6 +39,7 @@ struct options {
   std::string size = "512x512";
   std::string shading = "phong";
   std::string perspective = "corrected";
+  std::string inner_check = "on";
   std::string watch, eye, target, background, ambient, film;
   std::vector<std::string> lights;
   int density = 0;
@@ -367,6 +368,7 @@ void run(const CLI::App& verb, options asked) {
         fmt::format("perspective {} does not exist, expected corrected or screen", asked.perspective));
   job.is_corrected = asked.perspective == "corrected";
   job.asked = asked.effects == "all" ? render::effects::all : render::effects::automatic;
+  job.checks_triangles = asked.inner_check == "on";
   job.threads = asked.threads;
   const auto watch = watch_of(asked, job);
   const auto around = [&] {
@@ -434,6 +436,10 @@ void add_render(CLI::App& program) {
   verb->add_option("--effects", asked->effects,
                    "auto: what the scene calls for; all: every effect for every point")
       ->check(CLI::IsMember({"auto", "all"}))
+      ->capture_default_str();
+  verb->add_option("--inner-check", asked->inner_check,
+                   "on: triangles that no highlight can lie in are left out as a whole; off: pixel by pixel")
+      ->check(CLI::IsMember({"on", "off"}))
       ->capture_default_str();
   verb->add_flag("--explain", asked->explains, "print the plan: which effects are computed, and why");
   verb->add_option("--size", asked->size, "WIDTHxHEIGHT in pixels")->capture_default_str();

@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tb/render/render.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <atomic>
+#include <bit>
 #include <chrono>
 #include <cmath>
 #include <mutex>
 #include <stdexcept>
 
 #include "tb/render/effects/saturate.h"
+#include "tb/render/inner_check.h"
 #include "tb/render/parallel.h"
 #include "tb/render/reference.h"
 #include "tb/render/shader.h"
@@ -89,11 +93,12 @@ class frame {
     const std::uint32_t material = points_->material_at(index);
     if (material == point_source::kNoMaterial) return;
     const auto number = static_cast<std::uint32_t>(index);
+    const light_set dark = dark_.empty() ? 0 : dark_[seen_.triangle[index]];
     point at;
-    if (!to.is_lit(material)) {
+    if (!to.is_lit(material, dark)) {
       to.add_unlit(number, material);
     } else if (points_->at(index, near, at)) {
-      to.add(number, at);
+      to.add(number, at, dark);
     }
   }
 
@@ -102,6 +107,10 @@ class frame {
     double device_s = 0;
     {
       const stopwatch measured(shading_s);
+      if (made_.planned.checks_triangles) {
+        dark_ = find_dark_lights(world_.surface, view_, seen_, lights_, made_.planned, job_.is_corrected,
+                                 job_.threads);
+      }
       const std::vector<std::uint8_t> is_watched = shade_watched(device_s);
       const bool has_device = made_.planned.has_specular();
       const unsigned threads = job_.device->is_clocked ? 1 : job_.threads;
@@ -235,7 +244,9 @@ class frame {
     for (std::size_t i = 0; i < seen_.pixels(); ++i) {
       if (seen_.triangle[i] == kNoTriangle) continue;
       ++made_.pixels;
-      std::uint8_t& triangle = of_triangle[seen_.triangle[i]];
+      const std::uint32_t seen = seen_.triangle[i];
+      if (!dark_.empty()) made_.tests_left_out += static_cast<std::size_t>(std::popcount(dark_[seen]));
+      std::uint8_t& triangle = of_triangle[seen];
       triangle |= kSeen;
       const mixture of = points_->of_pixel(i, near);
       bool is_lit = false;
@@ -245,9 +256,10 @@ class frame {
       ++made_.pixels_in_highlight;
       triangle |= kLit;
     }
-    for (const std::uint8_t each : of_triangle) {
-      made_.triangles_visible += (each & kSeen) != 0 ? 1 : 0;
-      made_.triangles_in_highlight += (each & kLit) != 0 ? 1 : 0;
+    for (std::size_t i = 0; i < of_triangle.size(); ++i) {
+      made_.triangles_visible += (of_triangle[i] & kSeen) != 0 ? 1U : 0U;
+      made_.triangles_in_highlight += (of_triangle[i] & kLit) != 0 ? 1U : 0U;
+      made_.triangles_left_out += !dark_.empty() && dark_[i] != 0 ? 1U : 0U;
     }
     made_.points = made_.pixels;
     if (points_->size() != seen_.pixels()) made_.points = points_->size();
@@ -261,6 +273,7 @@ class frame {
   outcome made_;
   visibility seen_{};
   std::unique_ptr<point_source> points_;
+  std::vector<light_set> dark_;  // of each triangle, by the inner specular check; empty without it
   std::vector<sum_rgb> sums_;
   std::vector<std::uint8_t> in_highlight_;
   std::vector<real_rgb> real_;
@@ -277,8 +290,17 @@ plan plan_of(const job& asked) {
     law = asked.device->make_law();
     table.emplace(device, *law);
   }
-  return make_plan(*asked.of, asked.asked, table ? &*table : nullptr, ports.cos_fraction(),
-                   device.top_name());
+  plan made =
+      make_plan(*asked.of, asked.asked, table ? &*table : nullptr, ports.cos_fraction(), device.top_name());
+  if (!made.has_specular() || asked.asked == effects::all) return made;
+  made.checks_triangles = asked.checks_triangles && asked.shading->is_by_pixel;
+  const std::string_view why =
+      made.checks_triangles    ? "on: no pixel of a triangle is tested whose cones of normals, lights and "
+                                 "views keep cos below the lobe"
+      : asked.checks_triangles ? "off: the method shades points that are not pixels of one triangle"
+                               : "off, as asked";
+  made.reasons.push_back(fmt::format("inner specular check {}", why));
+  return made;
 }
 
 outcome render(const job& asked) {

@@ -45,6 +45,7 @@ struct job {
   const shading_method* shading;
   bool is_corrected = true;  ///< perspective correction
   effects asked = effects::automatic;
+  bool checks_triangles = true;  ///< the inner specular check, if effects are automatic
   unsigned threads = 1;
   const device_source* device;
   std::optional<watched> watch = {};
@@ -62,6 +63,9 @@ struct outcome {
   std::size_t pixels_in_highlight = 0;  ///< to which a specular term adds
   std::size_t triangles_visible = 0;
   std::size_t triangles_in_highlight = 0;  ///< that have such a pixel
+  std::size_t triangles_left_out =
+      0;                           ///< in which the inner specular check finds a light without a highlight
+  std::size_t tests_left_out = 0;  ///< by it: pixels times lights with a highlight
   std::uint64_t device_writes = 0;
   std::uint64_t watched_writes = 0;           ///< of these, those of watched pixels
   std::map<std::string, double> host_s = {};  ///< by phase

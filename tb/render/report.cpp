@@ -68,9 +68,11 @@ std::string report_json(const job& asked, const outcome& of, const circumstances
                                 {"triangles", asked.of->surface.triangles.size()},
                                 {"triangles_visible", of.triangles_visible},
                                 {"triangles_in_highlight", of.triangles_in_highlight},
+                                {"triangles_left_out", of.triangles_left_out},
                                 {"pixels", of.pixels},
                                 {"pixels_in_highlight", of.pixels_in_highlight},
                                 {"points", of.points},
+                                {"tests_left_out", of.tests_left_out},
                                 {"device_writes", of.device_writes},
                                 {"watched_writes", of.watched_writes},
                                 {"units", of.planned.units},
@@ -122,6 +124,10 @@ std::string report_table(const job& asked, const outcome& of, const circumstance
       fmt::format("{} of {} points times {} lights", of.device_writes, of.points, asked.of->lights.size()));
   row("triangles", fmt::format("{} in a highlight, {} visible, {} in all", of.triangles_in_highlight,
                                of.triangles_visible, asked.of->surface.triangles.size()));
+  if (of.triangles_left_out > 0) {
+    row("inner specular check", fmt::format("{} triangles left out, {} tests of pixels spared",
+                                            of.triangles_left_out, of.tests_left_out));
+  }
   if (in.cycles > 0)
     row("simulated",
         fmt::format("{} ns, {} clock cycles, {} delta cycles", in.simulated_ns, in.cycles, in.delta_cycles));
