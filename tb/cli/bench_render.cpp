@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "tb/run_program.h"
 
@@ -91,6 +92,19 @@ void bench() {
       frame(bit) / (phase(bit, "visibility") + phase(bit, "reference")));
   row("engine bit: shading / reference", phase(bit, "shading") / phase(bit, "reference"));
   row("engine bit: device / reference", phase(bit, "device") / phase(bit, "reference"));
+  const std::string shiny =
+      write("shiny.json", R"({"mesh": "sphere", "materials": {"*": {"kd": [0, 0, 0]}}})");
+  for (const auto& [name, scene] : {std::pair<std::string, std::string>{"sphere", "sphere"},
+                                    {"sphere without diffuse light", shiny},
+                                    {"teapot", "teapot"},
+                                    {"teapot, 1024 x 1024", "teapot --size 1024x1024"}}) {
+    const json on = rendered(scene + " --threads 1", 9);
+    const json off = rendered(scene + " --threads 1 --inner-check off", 9);
+    row(fmt::format("inner specular check, {}: shading and device, on / off", name),
+        (phase(on, "shading") + phase(on, "device")) / (phase(off, "shading") + phase(off, "device")));
+    row(fmt::format("inner specular check, {}: tests of pixels, on / off", name),
+        1 - on["tests_left_out"].get<double>() / on["pixels"].get<double>());
+  }
   const json small = rendered("sphere --threads 1 --size 256x256");
   row("four times the pixels: shading", phase(bit, "shading") / phase(small, "shading"));
   row("four times the triangles: visibility",
