@@ -105,7 +105,7 @@ double highlight_bound::most_half_cosine(const scene::light& light) const {
 std::vector<light_set> find_dark_lights(const scene::mesh& surface, const projection& view,
                                         const visibility& seen, const std::vector<scene::light>& lights,
                                         const plan& planned, bool corrected, unsigned threads) {
-  constexpr std::uint32_t kLeastPixels = 8;
+  constexpr std::uint32_t kLeastPixels = 32;
   constexpr std::size_t kChunk = 1024;
   std::vector<std::uint32_t> pixels(surface.triangles.size(), 0);
   for (const std::uint32_t each : seen.triangle) {

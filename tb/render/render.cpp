@@ -52,12 +52,21 @@ class frame {
 
   outcome run() {
     timed("visibility", [&] {
-      seen_ = find_visible(world_.surface, view_, job_.width, job_.height, job_.threads);
+      if (job_.by_segments) {
+        seen_ = {job_.width, job_.height, {}};
+        seen_.triangle.assign(made_.image.rgb.size() / 3, kNoTriangle);
+      } else {
+        seen_ = find_visible(world_.surface, view_, job_.width, job_.height, job_.threads);
+      }
       points_ = job_.shading->make(world_.surface, view_, seen_, job_.is_corrected);
     });
     sums_.resize(points_->size());
     in_highlight_.resize(points_->size());
-    shade();
+    if (job_.by_segments) {
+      shade_segments();
+    } else {
+      shade();
+    }
     timed("reference", [&] { shade_reference(); });
     timed("picture", [&] { resolve(); });
     count();
@@ -140,6 +149,54 @@ class frame {
     made_.host_s["shading"] = shading_s - device_s;
   }
 
+  /// [T] 2.6: rays where the segments of the rows ask for them.
+  void shade_segments() {
+    const unsigned threads = job_.device->is_clocked ? 1 : job_.threads;
+    std::vector<shader> shaders;
+    for (unsigned i = 0; i < threads; ++i)
+      shaders.push_back(make_shader(made_.planned.has_specular() ? job_.device->engine_of(i) : nullptr));
+    std::optional<ray_caster> rays;
+    timed("visibility", [&] { rays.emplace(world_.surface, view_, job_.width, job_.height); });
+    const auto trace = [&](std::span<const std::uint32_t> pixels) {
+      timed("visibility", [&] {
+        for_each(pixels.size(), job_.threads, [&](std::size_t i, point_source::cursor&, unsigned) {
+          const auto pixel = static_cast<int>(pixels[i]);
+          seen_.triangle[pixels[i]] = rays->triangle_at(pixel % job_.width, pixel / job_.width);
+        });
+      });
+      timed("shading", [&] {
+        for_each(pixels.size(), threads, [&](std::size_t i, point_source::cursor& near, unsigned worker) {
+          add(shaders[worker], pixels[i], near);
+        });
+        for (shader& each : shaders) each.flush();
+        for (const std::uint32_t pixel : pixels) resolve_traced(pixel);
+      });
+    };
+    made_.by_segments = fill_by_segments(made_.image, *job_.by_segments, trace);
+    made_.host_s["device"] = 0;
+    for (shader& each : shaders) {
+      made_.device_writes += each.writes();
+      made_.host_s["device"] += each.device_s() / threads;
+    }
+    made_.host_s["shading"] -= made_.host_s["device"];
+    made_.points = made_.by_segments->traced;
+    // The picture is judged pixel by pixel.
+    timed("reference",
+          [&] { seen_ = find_visible(world_.surface, view_, job_.width, job_.height, job_.threads); });
+  }
+
+  void resolve_traced(std::uint32_t pixel) {
+    std::uint8_t* const colour = made_.image.rgb.data() + 3 * std::size_t{pixel};
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+      colour[channel] = seen_.triangle[pixel] == kNoTriangle ? background(channel)
+                                                             : channel_of(saturated(sums_[pixel][channel]));
+    }
+  }
+
+  std::uint8_t background(std::size_t channel) const {
+    return static_cast<std::uint8_t>(std::lround(255 * world_.background[channel]));
+  }
+
   /// \return  1 for the points that are done; empty if none is watched
   std::vector<std::uint8_t> shade_watched(double& device_s) {
     if (!job_.watch) return {};
@@ -215,14 +272,15 @@ class frame {
       std::uint8_t* const judged =
           made_.reference.pixel(static_cast<int>(i % width), static_cast<int>(i / width));
       if (seen_.triangle[i] == kNoTriangle) {
-        for (std::size_t channel = 0; channel < 3; ++channel)
-          pixel[channel] = judged[channel] =
-              static_cast<std::uint8_t>(std::lround(255 * world_.background[channel]));
+        for (std::size_t channel = 0; channel < 3; ++channel) {
+          judged[channel] = background(channel);
+          if (!job_.by_segments) pixel[channel] = judged[channel];
+        }
         return;
       }
       const mixture of = points_->of_pixel(i, near);
       for (std::size_t channel = 0; channel < 3; ++channel) {
-        pixel[channel] = mixed(of, channel);
+        if (!job_.by_segments) pixel[channel] = mixed(of, channel);
         double real = 0;
         for (std::size_t k = 0; k < of.count; ++k) real += of.weight[k] * double{real_[of.point[k]][channel]};
         judged[channel] = static_cast<std::uint8_t>(std::lround(std::clamp(real, 0.0, 255.0)));
@@ -261,6 +319,7 @@ class frame {
       made_.triangles_in_highlight += (of_triangle[i] & kLit) != 0 ? 1U : 0U;
       made_.triangles_left_out += !dark_.empty() && dark_[i] != 0 ? 1U : 0U;
     }
+    if (job_.by_segments) return;
     made_.points = made_.pixels;
     if (points_->size() != seen_.pixels()) made_.points = points_->size();
   }
@@ -293,10 +352,11 @@ plan plan_of(const job& asked) {
   plan made =
       make_plan(*asked.of, asked.asked, table ? &*table : nullptr, ports.cos_fraction(), device.top_name());
   if (!made.has_specular() || asked.asked == effects::all) return made;
-  made.checks_triangles = asked.checks_triangles && asked.shading->is_by_pixel;
+  made.checks_triangles = asked.checks_triangles && asked.shading->is_by_pixel && !asked.by_segments;
   const std::string_view why =
       made.checks_triangles    ? "on: no pixel of a triangle is tested whose cones of normals, lights and "
                                  "views keep cos below the lobe"
+      : asked.by_segments      ? "off: rays are traced one by one"
       : asked.checks_triangles ? "off: the method shades points that are not pixels of one triangle"
                                : "off, as asked";
   made.reasons.push_back(fmt::format("inner specular check {}", why));
@@ -306,6 +366,8 @@ plan plan_of(const job& asked) {
 outcome render(const job& asked) {
   if (asked.of->lights.size() > kMostLights)
     throw std::invalid_argument("the scene has more than 64 lights, expected at most as many");
+  if (asked.by_segments && (asked.watch || !asked.shading->is_by_pixel))
+    throw std::invalid_argument("segments are of pixels, expected shading phong and none watched");
   return frame(asked).run();
 }
 

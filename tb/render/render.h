@@ -13,6 +13,7 @@
 #include "tb/render/picture.h"
 #include "tb/render/plan.h"
 #include "tb/render/points.h"
+#include "tb/render/segments.h"
 
 namespace blysk::render {
 
@@ -49,6 +50,7 @@ struct job {
   unsigned threads = 1;
   const device_source* device;
   std::optional<watched> watch = {};
+  std::optional<segments> by_segments = {};  ///< rays at the ends of segments in place of a z-buffer
   std::function<void(std::size_t done, std::size_t total)> progress =
       {};  ///< of points; from any thread, one at a time
 };
@@ -67,14 +69,16 @@ struct outcome {
       0;                           ///< in which the inner specular check finds a light without a highlight
   std::size_t tests_left_out = 0;  ///< by it: pixels times lights with a highlight
   std::uint64_t device_writes = 0;
-  std::uint64_t watched_writes = 0;           ///< of these, those of watched pixels
+  std::uint64_t watched_writes = 0;  ///< of these, those of watched pixels
+  std::optional<segment_counts> by_segments = {};
   std::map<std::string, double> host_s = {};  ///< by phase
 };
 
 /// The plan alone.
 plan plan_of(const job& asked);
 
-/// \throws std::invalid_argument for a device that does not shade points
+/// \throws std::invalid_argument for a device that does not shade points, and for segments that are watched or not shaded
+/// pixel by pixel
 outcome render(const job& asked);
 
 }  // namespace blysk::render

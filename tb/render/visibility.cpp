@@ -99,4 +99,44 @@ visibility find_visible(const scene::mesh& surface, const projection& view, int 
   return seen;
 }
 
+namespace {
+
+constexpr int kTile = 8;  // pixels of a side
+
+std::size_t tile_of(int pixel) {
+  return static_cast<std::size_t>(pixel / kTile);
+}
+
+}  // namespace
+
+ray_caster::ray_caster(const scene::mesh& surface, const projection& view, int width, int height)
+    : surface_(surface),
+      view_(view),
+      tiles_across_(tile_of(width - 1) + 1),
+      of_tile_(tiles_across_ * (tile_of(height - 1) + 1)) {
+  for (std::uint32_t i = 0; i < surface.triangles.size(); ++i) {
+    const box around = box_of(corners_of(surface, view, i), width, height);
+    if (around.first_y > around.last_y || around.first_x > around.last_x) continue;
+    for (std::size_t y = tile_of(around.first_y); y <= tile_of(around.last_y); ++y) {
+      for (std::size_t x = tile_of(around.first_x); x <= tile_of(around.last_x); ++x)
+        of_tile_[y * tiles_across_ + x].push_back(i);
+    }
+  }
+}
+
+std::uint32_t ray_caster::triangle_at(int x, int y) const {
+  std::uint32_t seen = kNoTriangle;
+  double nearest = 0;
+  for (const std::uint32_t each : of_tile_[tile_of(y) * tiles_across_ + tile_of(x)]) {
+    const footprint print = footprint_of(surface_, view_, each);
+    footprint::weights sides{};
+    if (!print.has_area() || !print.covers(x + 0.5, y + 0.5, sides)) continue;
+    const double nearness = print.nearness(sides);
+    if (!(nearness > nearest)) continue;
+    nearest = nearness;
+    seen = each;
+  }
+  return seen;
+}
+
 }  // namespace blysk::render

@@ -150,27 +150,28 @@ gouraud_fault find_flicker(const studio& in) {
   gouraud_fault made{"gouraud_d",
                      "d) the brightness of a highlight changes from frame to frame: a sphere of 8 x 16 "
                      "quadrangles turned by 2.5 degrees a frame, frames 1, 4, 7 and 10",
-                     "largest change of the brightest red between frames, in 1/255",
+                     "range of the brightest red over ten frames, in 1/255",
                      0,
                      0,
                      picture(4 * kSide, 2 * (kSide + kTextHeight))};
   write_text(made.sheet, 4, 2, "Gouraud");
   write_text(made.sheet, 4, kSide + kTextHeight + 2, "Phong");
-  const auto follow = [&](const char* shading, int top, double& change) {
-    int before = 0;
+  const auto follow = [&](const char* shading, int top) {
+    int least = 255;
+    int most = 0;
     for (int i = 0; i < kFrames; ++i) {
       scene::world of =
           world_of(scene::turned(sphere, {0, 0, 0}, {0, 1, 0}, i * kStepRad), material_of(0.4, 0.5, 50));
       of.lights = {{false, {0, 0.4, 1}, {1, 1, 1}}};
       const picture frame = in.made(of, shading).image;
-      const int brightest = largest_red(frame);
-      if (i > 0) change = std::max(change, std::abs(static_cast<double>(brightest - before)));
-      before = brightest;
+      least = std::min(least, largest_red(frame));
+      most = std::max(most, largest_red(frame));
       if (i % 3 == 0) paste(frame, made.sheet, i / 3 * kSide, top + kTextHeight);
     }
+    return static_cast<double>(most - least);
   };
-  follow("gouraud", 0, made.gouraud);
-  follow("phong", kSide + kTextHeight, made.other);
+  made.gouraud = follow("gouraud", 0);
+  made.other = follow("phong", kSide + kTextHeight);
   return made;
 }
 

@@ -21,7 +21,7 @@ void write_faults(const std::string& folder) {
     std::ofstream file(folder + "/" + each.name + ".png", std::ios::binary);
     file << render::png_of(each.sheet);
     if (!file.flush()) throw std::runtime_error("cannot write into " + folder);
-    fmt::print("| {} | ![{}](figures/gallery/{}.png) | {} | {:.3g} | {:.3g} |\n", each.what, each.name,
+    fmt::print("| {} | ![{}](figures/gallery/{}.png) | {} | {:.4g} | {:.4g} |\n", each.what, each.name,
                each.name, each.measured, each.gouraud, each.other);
   }
 }

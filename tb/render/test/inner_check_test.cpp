@@ -155,7 +155,7 @@ TEST_CASE("a triangle is left out up to one code below the lobe and no further",
         const outcome few = picture(half_cosine, effects::automatic);
         const outcome all = picture(half_cosine, effects::all);
         CAPTURE(format, n, steps, half_cosine);
-        REQUIRE(few.pixels > 30);
+        REQUIRE(few.pixels > 35);
         REQUIRE(few.image.rgb == all.image.rgb);
         // Between codes, and one code below the lobe, the roundings decide.
         if (std::abs(steps + 0.5) < 0.1 || std::abs(steps + 1) < 0.1) continue;
@@ -169,13 +169,13 @@ TEST_CASE("a triangle is left out up to one code below the lobe and no further",
 
 TEST_CASE("most triangles of a sphere are left out, and the picture stays", "[render]") {
   scene::world of;
-  of.surface = scene::make_sphere(32);
+  of.surface = scene::make_sphere(12);
   of.lights.push_back({true, {2, 1, 3}, {0.5, 0, 0}});
   const test::picture_source from(choose(devices().front()->name(), "q12"), false);
   job asked{.of = &of, .width = 200, .height = 200, .shading = &find_shading("phong"), .device = from.of()};
   const outcome on = render::render(asked);
-  CHECK(on.tests_left_out > 2 * on.pixels * 7 / 10);
-  CHECK(on.triangles_left_out > on.triangles_visible / 2);
+  CHECK(on.tests_left_out > on.pixels);
+  CHECK(on.triangles_left_out > on.triangles_visible / 3);
   CHECK(on.triangles_left_out <= on.triangles_visible);
   for (const char* shading : {"phong", "gouraud"}) {
     asked.shading = &find_shading(shading);
