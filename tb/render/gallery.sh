@@ -109,6 +109,24 @@ END
   printf '%s\n%s\n' "$cells" "$numbers"
   cat <<'END'
 
+## Segments of rows
+
+[The second renderer](scenes.md#segments-of-rows), [T] 2.6, segments of 16 pixels.
+
+| | every pixel traced | K = 2.3 | K = 10 |
+|---|---|---|---|
+END
+  cells='| teapot |' numbers='| pixels traced, device writes |'
+  for limit in none 2.3 10; do
+    options=(--segment 16 --segment-limit "$limit")
+    [ "$limit" != none ] || options=(--segment 1)
+    rendered "segments_$limit" teapot --size 200x150 --renderer segments "${options[@]}" --engine systemc
+    cells+=" $(picture "segments_$limit" "K = $limit") |"
+    numbers+=" $(sed -nE 's/^    "pixels_traced": ([0-9]+),?$/\1/p' "$report"), $(value device_writes) |"
+  done
+  printf '%s\n%s\n' "$cells" "$numbers"
+  cat <<'END'
+
 ## Gouraud's faults
 
 [T] 1.3 lists six. Left Gouraud's shading, right what it is held against. `render.gouraud` derives the numbers of a, b, c and f
