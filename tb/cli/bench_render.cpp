@@ -11,7 +11,6 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
-#include <utility>
 
 #include "tb/run_program.h"
 
@@ -58,6 +57,23 @@ void row(const std::string& what, double value) {
   fmt::print("| {} | {:.3g} |\n", what, value);
 }
 
+/// The inner specular check: the smallest times of renderings with it and without, in turn.
+void compare_checks(const char* name, const std::string& scene) {
+  json on;
+  json off;
+  const auto keep_faster = [](const json& now, json& best) {
+    if (best.empty() || phase(now, "shading") < phase(best, "shading")) best = now;
+  };
+  for (int i = 0; i < 30; ++i) {
+    keep_faster(rendered(scene + " --threads 1", 1), on);
+    keep_faster(rendered(scene + " --threads 1 --inner-check off", 1), off);
+  }
+  row(fmt::format("inner specular check, {}: shading, on / off", name),
+      phase(on, "shading") / phase(off, "shading"));
+  row(fmt::format("inner specular check, {}: tests of pixels, on / off", name),
+      1 - on["tests_left_out"].get<double>() / on["pixels"].get<double>());
+}
+
 void bench() {
   const std::string systemc = " --engine systemc --threads 1 ";
   fmt::print("| sphere, 512 x 512, one thread | ratio |\n|---|---|\n");
@@ -94,17 +110,10 @@ void bench() {
   row("engine bit: device / reference", phase(bit, "device") / phase(bit, "reference"));
   const std::string shiny =
       write("shiny.json", R"({"mesh": "sphere", "materials": {"*": {"kd": [0, 0, 0]}}})");
-  for (const auto& [name, scene] : {std::pair<std::string, std::string>{"sphere", "sphere"},
-                                    {"sphere without diffuse light", shiny},
-                                    {"teapot", "teapot"},
-                                    {"teapot, 1024 x 1024", "teapot --size 1024x1024"}}) {
-    const json on = rendered(scene + " --threads 1", 9);
-    const json off = rendered(scene + " --threads 1 --inner-check off", 9);
-    row(fmt::format("inner specular check, {}: shading and device, on / off", name),
-        (phase(on, "shading") + phase(on, "device")) / (phase(off, "shading") + phase(off, "device")));
-    row(fmt::format("inner specular check, {}: tests of pixels, on / off", name),
-        1 - on["tests_left_out"].get<double>() / on["pixels"].get<double>());
-  }
+  compare_checks("sphere", "sphere");
+  compare_checks("teapot, 1024 x 1024", "teapot --size 1024x1024");
+  compare_checks("torus, 1024 x 1024", "torus --size 1024x1024");
+  compare_checks("sphere without diffuse light", shiny);
   const json small = rendered("sphere --threads 1 --size 256x256");
   row("four times the pixels: shading", phase(bit, "shading") / phase(small, "shading"));
   row("four times the triangles: visibility",
