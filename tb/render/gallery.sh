@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# gallery.sh ROOT BLYSK GOURAUD_FAULTS: renders the pictures of docs/figures/gallery and writes docs/gallery.md, with what each picture cost.
-# gallery.sh ROOT BLYSK GOURAUD_FAULTS --check: renders them elsewhere, and fails if the page would be another one. The pictures are not
+# gallery.sh ROOT BLYSK SHADING_FAULTS: renders the pictures of docs/figures/gallery and writes docs/gallery.md, with what each picture cost.
+# gallery.sh ROOT BLYSK SHADING_FAULTS --check: renders them elsewhere, and fails if the page would be another one. The pictures are not
 # compared: their last bits are those of the mathematical library.
 set -euo pipefail
-root=$1 blysk=$2 gouraud_faults=$3 check=${4:-}
+root=$1 blysk=$2 shading_faults=$3 check=${4:-}
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 mkdir "$work/gallery"
@@ -130,12 +130,12 @@ END
 ## Gouraud's faults
 
 [T] 1.3 lists six. Left Gouraud's shading, right what it is held against. `render.gouraud` derives the numbers of a, b, c and f
-from closed forms, and bounds those of d and e. Pictures of 150 x 150 pixels, highlights of `quadratic` q16.
+from closed forms, and bounds those of d and e. Pictures of 150 x 150 pixels, highlights of the preset device, q16.
 
 | fault | picture | measured | Gouraud | beside it |
 |---|---|---|---:|---:|
 END
-  "$gouraud_faults" "$work/gallery" || fail 'the faults are not rendered'
+  "$shading_faults" "$work/gallery" || fail 'the faults are not rendered'
 } >"$page"
 
 if [ "$check" = --check ]; then

@@ -52,11 +52,10 @@ void append_nmse(std::string& csv, std::string& page) {
   page += fmt::format(
       "## NMSE on the teapot against Blinn's lobe\n\n"
       "Table 3.2 of [T] on Newell's teapot, {} pixels of 512 x 512, as `blysk render teapot` shows it; light "
-      "(0.4, 0.5, 0.75). "
-      "Colours as in [nmse.md](nmse.md), which has the sphere. Of table 3.2: cosine-quadratic 0.00008, "
-      "modified Schlick "
-      "0.00011, quadratic 0.00026 for n < 170, else below 0.0002. The last column is the largest over every "
-      "n.\n",
+      "(0.4, 0.5, "
+      "0.75). Colours as in [nmse.md](nmse.md), which has the sphere. The limits that the table states are "
+      "those of rows "
+      "T33 to T36 of [verification.md](../verification.md). The last column is the largest over every n.\n",
       teapot.pixels());
   for (std::size_t s = 0; s < tables.size(); ++s) {
     page += fmt::format("\n### {}\n\n| lobe \\ n |", kListingScenes[s].name);
@@ -75,11 +74,12 @@ void append_segments(std::string& csv, std::string& page) {
   csv = "scene,measure,limit,inner,traced,interpolated,nmse,largest,elements_2_29,elements_2_31\n";
   page +=
       "\n## Segments of rows, [T] 2.6\n\n"
-      "`blysk render SCENE --renderer segments`, 512 x 512 pixels, segments of 8 pixels, device `quadratic` "
-      "q16. NMSE and the "
-      "largest difference of a channel are against the picture with every pixel traced. [T] states K = 2.3 "
-      "and no measure. "
-      "(2.29) counts segments of 8 pixels that are never halved; (2.31) has the row's segments as they came "
+      "`blysk render SCENE --renderer segments`, 512 x 512 pixels, segments of 8 pixels, the preset device, "
+      "q16. NMSE and "
+      "the largest difference of a channel are against the picture with every pixel traced. [T] states K = "
+      "2.3 and no "
+      "measure. (2.29) counts segments of 8 pixels that are never halved; (2.31) has the row's segments as "
+      "they came "
       "out.\n\n"
       "| scene | measure | K | inner pixels | traced, % | NMSE | largest, in 1/255 | traced | (2.29) | "
       "(2.31) |\n"

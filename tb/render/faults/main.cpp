@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// gouraud_faults FOLDER: writes a picture of each fault, and on standard output a row of docs/gallery.md for each.
+// shading_faults FOLDER: writes a picture of each fault, and on standard output a row of docs/gallery.md for each.
 #include <fmt/format.h>
 
 #include <fstream>
@@ -29,7 +29,7 @@ void write_faults(const std::string& folder) {
 }  // namespace
 
 int main(int count, char** arguments) {
-  return run_program("gouraud_faults", [&] {
+  return run_program("shading_faults", [&] {
     if (count != 2) throw std::invalid_argument("a folder is expected");
     write_faults(arguments[1]);
     return 0;
