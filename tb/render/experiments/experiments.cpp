@@ -37,8 +37,7 @@ std::vector<double> highlight(golden::lobe which, int n, const Pixels& pixels) {
 
 }  // namespace
 
-listing_picture::listing_picture(const scene::mesh& surface) {
-  const scene::camera camera = scene::fitted_camera(surface);
+listing_picture::listing_picture(const scene::mesh& surface, const scene::camera& camera) {
   const projection view(camera, kSide, kSide);
   const visibility seen = find_visible(surface, view, kSide, kSide, 1);
   const auto points = find_shading("phong").make(surface, view, seen, true);

@@ -23,10 +23,10 @@ inline constexpr std::array kListingScenes{listing_scene{"object (238, 138, 32)"
                                            listing_scene{"the same with kd = ks = 0.5", {238, 138, 32}, 0.5},
                                            listing_scene{"white object", {255, 255, 255}, 1}};
 
-/// A picture of a mesh, 512 x 512, from the camera and with the light that `blysk render` has if nothing else is said.
+/// A picture of a mesh, 512 x 512, with the light that `blysk render` has if nothing else is said.
 class listing_picture {
  public:
-  explicit listing_picture(const scene::mesh& surface);
+  listing_picture(const scene::mesh& surface, const scene::camera& camera);
 
   std::size_t pixels() const { return pixels_.size(); }
 

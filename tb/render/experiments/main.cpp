@@ -24,7 +24,8 @@ constexpr std::array kSpans{span_of_n{1, 1000}, span_of_n{1, 169}, span_of_n{170
 
 void append_nmse(std::string& csv, std::string& page) {
   const scene::shape& shape = *scene::find_shape("teapot");
-  const listing_picture teapot(shape.make(shape.density));
+  const scene::mesh mesh = shape.make(shape.density);
+  const listing_picture teapot(mesh, scene::fitted_camera(mesh));
   csv = "lobe,scene,first_n,last_n,largest,at_n\n";
   std::array<std::string, kListingScenes.size()> tables;
   for (const golden::named_lobe& each : golden::kLobes) {
