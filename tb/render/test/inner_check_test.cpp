@@ -51,6 +51,28 @@ scene::world random_world(test::scene_maker& from, bool is_own) {
   return made;
 }
 
+/// Triangles with the first corner a little behind the eye, the others before it: directions that a cone holds.
+scene::world world_beside_the_eye(test::scene_maker& from) {
+  scene::world made = from.make();
+  for (const scene::triangle& each : made.surface.triangles) {
+    const scene::vec normal = golden::normalised(scene::vec{-1, 0, 0.5} + random_vector(from, 0.5));
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double angle = k == 0 ? from.real(1.58, 1.8) : from.real(0.7, 1.2);
+      const double turn = from.real(-0.4, 0.4);
+      const scene::vec towards{std::sin(angle) * std::cos(turn), std::sin(angle) * std::sin(turn),
+                               -std::cos(angle)};
+      made.surface.positions[each.position[k]] = from.real(0.5, 2) * towards;
+      made.surface.normals[each.normal[k]] = golden::normalised(normal + random_vector(from, 0.5));
+    }
+  }
+  scene::camera view;
+  view.eye = {0, 0, 0};
+  view.target = {0, 0, -1};
+  view.fov_deg = 150;
+  made.view = view;
+  return made;
+}
+
 struct tally {
   std::size_t pixels = 0;
   std::size_t bounded = 0;
@@ -100,6 +122,7 @@ void hold_random(std::uint64_t first_seed, std::uint64_t count) {
     test::scene_maker maker(seed);
     const scene::world of = random_world(maker, seed % 4 != 0);
     hold(of, seed % 3 != 0, all);
+    hold(world_beside_the_eye(maker), seed % 2 == 0, all);
   }
   CAPTURE(all.pixels, all.bounded, all.triangles, all.slack);
   CHECK(all.pixels > 50 * count);
