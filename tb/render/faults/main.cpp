@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// shading_faults FOLDER: writes a picture of each fault, and on standard output a row of docs/gallery.md for each.
 #include <fmt/format.h>
 
 #include <fstream>
 #include <stdexcept>
 
+#include "tb/program.h"
 #include "tb/render/faults/gouraud.h"
-#include "tb/run_program.h"
 
 namespace {
 
@@ -28,10 +27,15 @@ void write_faults(const std::string& folder) {
 
 }  // namespace
 
-int main(int count, char** arguments) {
-  return run_program("shading_faults", [&] {
-    if (count != 2) throw std::invalid_argument("a folder is expected");
-    write_faults(arguments[1]);
-    return 0;
-  });
+int main(int argc, char** argv) {
+  std::string folder;
+  return run_program(
+      argc, argv,
+      "Writes a picture of each fault of Gouraud's shading, and on standard output its row of "
+      "docs/gallery.md",
+      [&](CLI::App& program) { program.add_option("FOLDER", folder, "of the pictures")->required(); },
+      [&] {
+        write_faults(folder);
+        return 0;
+      });
 }
