@@ -53,7 +53,7 @@ const measurements& all_measurements() {
     measurements all;
     for (const auto& add :
          {measure_patent, measure_article, measure_relative_errors, measure_absolute_errors, measure_energy,
-          measure_pictures, measure_settling, measure_whole_numbers, measure_errata})
+          measure_pictures, measure_rendered, measure_settling, measure_whole_numbers, measure_errata})
       add(all);
     return all;
   }();

@@ -52,6 +52,7 @@ void measure_relative_errors(measurements& into);
 void measure_absolute_errors(measurements& into);
 void measure_energy(measurements& into);
 void measure_pictures(measurements& into);
+void measure_rendered(measurements& into);
 void measure_settling(measurements& into);
 void measure_whole_numbers(measurements& into);
 void measure_errata(measurements& into);

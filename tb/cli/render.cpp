@@ -40,6 +40,11 @@ struct options {
   std::string size = "512x512";
   std::string shading = "phong";
   std::string perspective = "corrected";
+  std::string inner_check = "on";
+  std::string renderer = "z-buffer";
+  std::string segment_measure = "cie76";
+  std::string segment_inner = "mean";
+  render::segments by_segments;
   std::string watch, eye, target, background, ambient, film;
   std::vector<std::string> lights;
   int density = 0;
@@ -125,6 +130,8 @@ void apply(const options& asked, scene::world& to) {
   }
   // CLI::Range takes NaN, which is on no wrong side of a bound.
   if (std::isnan(asked.fov_deg)) throw usage_error("--fov is nan, expected a number in [0.001, 179]");
+  if (std::isnan(asked.by_segments.limit))
+    throw usage_error("--segment-limit is nan, expected a number in [0, 1000]");
   if (!asked.eye.empty() || !asked.target.empty() || asked.fov_deg > 0) {
     if (!to.view) to.view = scene::fitted_camera(to.surface);
     if (!asked.eye.empty()) to.view->eye = place_of("--eye", asked.eye);
@@ -369,6 +376,17 @@ void run(const CLI::App& verb, options asked) {
         fmt::format("perspective {} does not exist, expected corrected or screen", asked.perspective));
   job.is_corrected = asked.perspective == "corrected";
   job.asked = asked.effects == "all" ? render::effects::all : render::effects::automatic;
+  job.checks_triangles = asked.inner_check == "on";
+  if (asked.renderer == "segments") {
+    job.by_segments = asked.by_segments;
+    job.by_segments->measure =
+        asked.segment_measure == "rgb" ? render::colour_measure::rgb : render::colour_measure::cie76;
+    job.by_segments->inner = asked.segment_inner == "mean"     ? render::inner_colours::mean
+                             : asked.segment_inner == "linear" ? render::inner_colours::linear
+                                                               : render::inner_colours::cubic;
+    if (!job.shading->is_by_pixel || !asked.watch.empty())
+      throw usage_error("renderer segments traces pixels, expected shading phong and no --watch");
+  }
   job.threads = asked.threads;
   const auto watch = watch_of(asked, job);
   const auto around = [&] {
@@ -436,6 +454,30 @@ void add_render(CLI::App& program) {
   verb->add_option("--effects", asked->effects,
                    "auto: what the scene calls for; all: every effect for every point")
       ->check(CLI::IsMember({"auto", "all"}))
+      ->capture_default_str();
+  verb->add_option(
+          "--renderer", asked->renderer,
+          "z-buffer: every pixel; segments: rays at the ends of segments of rows, the pixels between "
+          "them interpolated where the ends are alike")
+      ->check(CLI::IsMember({"z-buffer", "segments"}))
+      ->capture_default_str();
+  verb->add_option("--segment", asked->by_segments.length, "of renderer segments: pixels from end to end")
+      ->check(CLI::Range(1, kMostPixels))
+      ->capture_default_str();
+  verb->add_option("--segment-limit", asked->by_segments.limit,
+                   "the largest difference of its ends at which a segment is interpolated")
+      ->check(CLI::Range(0.0, 1000.0))
+      ->capture_default_str();
+  verb->add_option("--segment-measure", asked->segment_measure,
+                   "of that difference; cie76: in CIELAB; rgb: of the codes 0..255")
+      ->check(CLI::IsMember({"cie76", "rgb"}))
+      ->capture_default_str();
+  verb->add_option("--segment-inner", asked->segment_inner, "how the pixels between are interpolated")
+      ->check(CLI::IsMember({"mean", "linear", "cubic"}))
+      ->capture_default_str();
+  verb->add_option("--inner-check", asked->inner_check,
+                   "on: triangles that no highlight can lie in are left out as a whole; off: pixel by pixel")
+      ->check(CLI::IsMember({"on", "off"}))
       ->capture_default_str();
   verb->add_flag("--explain", asked->explains, "print the plan: which effects are computed, and why");
   verb->add_option("--size", asked->size, "WIDTHxHEIGHT in pixels")->capture_default_str();

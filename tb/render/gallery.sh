@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# gallery.sh ROOT BLYSK: renders the pictures of docs/figures/gallery and writes docs/gallery.md, with what each picture cost.
-# gallery.sh ROOT BLYSK --check: renders them elsewhere, and fails if the page would be another one. The pictures are not
+# gallery.sh ROOT BLYSK SHADING_FAULTS: renders the pictures of docs/figures/gallery and writes docs/gallery.md, with what each picture cost.
+# gallery.sh ROOT BLYSK SHADING_FAULTS --check: renders them elsewhere, and fails if the page would be another one. The pictures are not
 # compared: their last bits are those of the mathematical library.
 set -euo pipefail
-root=$1 blysk=$2 check=${3:-}
+root=$1 blysk=$2 shading_faults=$3 check=${4:-}
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 mkdir "$work/gallery"
@@ -107,6 +107,35 @@ END
     numbers+=" $(value points), $(value device_writes) |"
   done
   printf '%s\n%s\n' "$cells" "$numbers"
+  cat <<'END'
+
+## Segments of rows
+
+[The second renderer](scenes.md#segments-of-rows), [T] 2.6, segments of 16 pixels.
+
+| | every pixel traced | K = 2.3 | K = 10 |
+|---|---|---|---|
+END
+  cells='| teapot |' numbers='| pixels traced, device writes |'
+  for limit in none 2.3 10; do
+    options=(--segment 16 --segment-limit "$limit")
+    [ "$limit" != none ] || options=(--segment 1)
+    rendered "segments_$limit" teapot --size 200x150 --renderer segments "${options[@]}" --engine systemc
+    cells+=" $(picture "segments_$limit" "K = $limit") |"
+    numbers+=" $(sed -nE 's/^    "pixels_traced": ([0-9]+),?$/\1/p' "$report"), $(value device_writes) |"
+  done
+  printf '%s\n%s\n' "$cells" "$numbers"
+  cat <<'END'
+
+## Gouraud's faults
+
+[T] 1.3 lists six. Left Gouraud's shading, right what it is held against. `render.gouraud` derives the numbers of a, b, c and f
+from closed forms, and bounds those of d and e. Pictures of 150 x 150 pixels, highlights of the preset device, q16.
+
+| fault | picture | measured | Gouraud | beside it |
+|---|---|---|---:|---:|
+END
+  "$shading_faults" "$work/gallery" || fail 'the faults are not rendered'
 } >"$page"
 
 if [ "$check" = --check ]; then

@@ -70,6 +70,15 @@ bool plan::has_specular() const {
   return std::ranges::any_of(of_lights, &light_plan::has_specular);
 }
 
+std::vector<light_set> plan::specular_lights() const {
+  static_assert(kMostLights <= 64);
+  std::vector<light_set> all(ambient.size(), 0);
+  for (std::uint32_t material = 0; material < all.size(); ++material) {
+    for (std::size_t k = 0; k < lights; ++k) all[material] |= light_set{at(material, k).has_specular} << k;
+  }
+  return all;
+}
+
 bool needs_device(const scene::world& of, effects asked) {
   if (asked == effects::all) return !of.lights.empty();
   const std::vector<bool> used = used_materials(of.surface);

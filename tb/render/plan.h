@@ -33,9 +33,13 @@ struct light_plan {
   bool is_grey = false;       ///< one colour multiplier serves three channels
 };
 
+/// Lights by their bits.
+using light_set = std::uint64_t;
+
 struct plan {
   effects asked = effects::automatic;
   std::size_t lights = 0;
+  bool checks_triangles = false;      ///< by the inner specular check
   std::vector<sum_rgb> ambient;       ///< of each material, UQ8.8
   std::vector<light_plan> of_lights;  ///< material by material, a light after the other
   std::vector<std::string> units;     ///< that are built
@@ -45,6 +49,9 @@ struct plan {
     return of_lights[material * lights + light];
   }
   bool has_specular() const;
+
+  /// The lights whose highlights on a material are computed, for each material.
+  std::vector<light_set> specular_lights() const;
 };
 
 /// Whether a device is needed at all: before one is made.

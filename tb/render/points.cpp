@@ -242,10 +242,10 @@ std::unique_ptr<point_source> make(const scene::mesh& surface, const projection&
 
 const std::vector<shading_method>& shading_methods() {
   static const std::vector<shading_method> all{
-      {"flat", "a colour a triangle", make<flat_source>},
-      {"gouraud", "colours of the corners, interpolated", make<gouraud_source>},
-      {"polynomial", "of second degree through corners and edges' middles", make<polynomial_source>},
-      {"phong", "every pixel by its own normal", make<phong_source>},
+      {"flat", "a colour a triangle", false, make<flat_source>},
+      {"gouraud", "colours of the corners, interpolated", false, make<gouraud_source>},
+      {"polynomial", "of second degree through corners and edges' middles", false, make<polynomial_source>},
+      {"phong", "every pixel by its own normal", true, make<phong_source>},
   };
   return all;
 }

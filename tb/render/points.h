@@ -50,6 +50,7 @@ class point_source {
 struct shading_method {
   std::string_view name;
   std::string_view help;
+  bool is_by_pixel;  ///< point i is what pixel i sees
   /// The arguments outlive what is made of them.
   /// \param corrected  with perspective correction
   std::unique_ptr<point_source> (*make)(const scene::mesh& surface, const projection& view,

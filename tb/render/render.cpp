@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tb/render/render.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <atomic>
+#include <bit>
 #include <chrono>
 #include <cmath>
 #include <mutex>
 #include <stdexcept>
 
 #include "tb/render/effects/saturate.h"
+#include "tb/render/inner_check.h"
 #include "tb/render/parallel.h"
 #include "tb/render/reference.h"
 #include "tb/render/shader.h"
@@ -48,12 +52,21 @@ class frame {
 
   outcome run() {
     timed("visibility", [&] {
-      seen_ = find_visible(world_.surface, view_, job_.width, job_.height, job_.threads);
+      if (job_.by_segments) {
+        seen_ = {job_.width, job_.height, {}};
+        seen_.triangle.assign(made_.image.rgb.size() / 3, kNoTriangle);
+      } else {
+        seen_ = find_visible(world_.surface, view_, job_.width, job_.height, job_.threads);
+      }
       points_ = job_.shading->make(world_.surface, view_, seen_, job_.is_corrected);
     });
     sums_.resize(points_->size());
     in_highlight_.resize(points_->size());
-    shade();
+    if (job_.by_segments) {
+      shade_segments();
+    } else {
+      shade();
+    }
     timed("reference", [&] { shade_reference(); });
     timed("picture", [&] { resolve(); });
     count();
@@ -89,11 +102,12 @@ class frame {
     const std::uint32_t material = points_->material_at(index);
     if (material == point_source::kNoMaterial) return;
     const auto number = static_cast<std::uint32_t>(index);
+    const light_set dark = dark_.empty() ? 0 : dark_[seen_.triangle[index]];
     point at;
-    if (!to.is_lit(material)) {
+    if (!to.is_lit(material, dark)) {
       to.add_unlit(number, material);
     } else if (points_->at(index, near, at)) {
-      to.add(number, at);
+      to.add(number, at, dark);
     }
   }
 
@@ -102,6 +116,10 @@ class frame {
     double device_s = 0;
     {
       const stopwatch measured(shading_s);
+      if (made_.planned.checks_triangles) {
+        dark_ = find_dark_lights(world_.surface, view_, seen_, lights_, made_.planned, job_.is_corrected,
+                                 job_.threads);
+      }
       const std::vector<std::uint8_t> is_watched = shade_watched(device_s);
       const bool has_device = made_.planned.has_specular();
       const unsigned threads = job_.device->is_clocked ? 1 : job_.threads;
@@ -129,6 +147,54 @@ class frame {
     }
     made_.host_s["device"] = device_s;
     made_.host_s["shading"] = shading_s - device_s;
+  }
+
+  /// [T] 2.6: rays where the segments of the rows ask for them.
+  void shade_segments() {
+    const unsigned threads = job_.device->is_clocked ? 1 : job_.threads;
+    std::vector<shader> shaders;
+    for (unsigned i = 0; i < threads; ++i)
+      shaders.push_back(make_shader(made_.planned.has_specular() ? job_.device->engine_of(i) : nullptr));
+    std::optional<ray_caster> rays;
+    timed("visibility", [&] { rays.emplace(world_.surface, view_, job_.width, job_.height); });
+    const auto trace = [&](std::span<const std::uint32_t> pixels) {
+      timed("visibility", [&] {
+        for_each(pixels.size(), job_.threads, [&](std::size_t i, point_source::cursor&, unsigned) {
+          const auto pixel = static_cast<int>(pixels[i]);
+          seen_.triangle[pixels[i]] = rays->triangle_at(pixel % job_.width, pixel / job_.width);
+        });
+      });
+      timed("shading", [&] {
+        for_each(pixels.size(), threads, [&](std::size_t i, point_source::cursor& near, unsigned worker) {
+          add(shaders[worker], pixels[i], near);
+        });
+        for (shader& each : shaders) each.flush();
+        for (const std::uint32_t pixel : pixels) resolve_traced(pixel);
+      });
+    };
+    made_.by_segments = fill_by_segments(made_.image, *job_.by_segments, trace);
+    made_.host_s["device"] = 0;
+    for (shader& each : shaders) {
+      made_.device_writes += each.writes();
+      made_.host_s["device"] += each.device_s() / threads;
+    }
+    made_.host_s["shading"] -= made_.host_s["device"];
+    made_.points = made_.by_segments->traced;
+    // The picture is judged pixel by pixel.
+    timed("reference",
+          [&] { seen_ = find_visible(world_.surface, view_, job_.width, job_.height, job_.threads); });
+  }
+
+  void resolve_traced(std::uint32_t pixel) {
+    std::uint8_t* const colour = made_.image.rgb.data() + 3 * std::size_t{pixel};
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+      colour[channel] = seen_.triangle[pixel] == kNoTriangle ? background(channel)
+                                                             : channel_of(saturated(sums_[pixel][channel]));
+    }
+  }
+
+  std::uint8_t background(std::size_t channel) const {
+    return static_cast<std::uint8_t>(std::lround(255 * world_.background[channel]));
   }
 
   /// \return  1 for the points that are done; empty if none is watched
@@ -206,14 +272,15 @@ class frame {
       std::uint8_t* const judged =
           made_.reference.pixel(static_cast<int>(i % width), static_cast<int>(i / width));
       if (seen_.triangle[i] == kNoTriangle) {
-        for (std::size_t channel = 0; channel < 3; ++channel)
-          pixel[channel] = judged[channel] =
-              static_cast<std::uint8_t>(std::lround(255 * world_.background[channel]));
+        for (std::size_t channel = 0; channel < 3; ++channel) {
+          judged[channel] = background(channel);
+          if (!job_.by_segments) pixel[channel] = judged[channel];
+        }
         return;
       }
       const mixture of = points_->of_pixel(i, near);
       for (std::size_t channel = 0; channel < 3; ++channel) {
-        pixel[channel] = mixed(of, channel);
+        if (!job_.by_segments) pixel[channel] = mixed(of, channel);
         double real = 0;
         for (std::size_t k = 0; k < of.count; ++k) real += of.weight[k] * double{real_[of.point[k]][channel]};
         judged[channel] = static_cast<std::uint8_t>(std::lround(std::clamp(real, 0.0, 255.0)));
@@ -235,7 +302,9 @@ class frame {
     for (std::size_t i = 0; i < seen_.pixels(); ++i) {
       if (seen_.triangle[i] == kNoTriangle) continue;
       ++made_.pixels;
-      std::uint8_t& triangle = of_triangle[seen_.triangle[i]];
+      const std::uint32_t seen = seen_.triangle[i];
+      if (!dark_.empty()) made_.tests_left_out += static_cast<std::size_t>(std::popcount(dark_[seen]));
+      std::uint8_t& triangle = of_triangle[seen];
       triangle |= kSeen;
       const mixture of = points_->of_pixel(i, near);
       bool is_lit = false;
@@ -245,10 +314,12 @@ class frame {
       ++made_.pixels_in_highlight;
       triangle |= kLit;
     }
-    for (const std::uint8_t each : of_triangle) {
-      made_.triangles_visible += (each & kSeen) != 0 ? 1 : 0;
-      made_.triangles_in_highlight += (each & kLit) != 0 ? 1 : 0;
+    for (std::size_t i = 0; i < of_triangle.size(); ++i) {
+      made_.triangles_visible += (of_triangle[i] & kSeen) != 0 ? 1U : 0U;
+      made_.triangles_in_highlight += (of_triangle[i] & kLit) != 0 ? 1U : 0U;
+      made_.triangles_left_out += !dark_.empty() && dark_[i] != 0 ? 1U : 0U;
     }
+    if (job_.by_segments) return;
     made_.points = made_.pixels;
     if (points_->size() != seen_.pixels()) made_.points = points_->size();
   }
@@ -261,6 +332,7 @@ class frame {
   outcome made_;
   visibility seen_{};
   std::unique_ptr<point_source> points_;
+  std::vector<light_set> dark_;  // of each triangle, by the inner specular check; empty without it
   std::vector<sum_rgb> sums_;
   std::vector<std::uint8_t> in_highlight_;
   std::vector<real_rgb> real_;
@@ -277,13 +349,25 @@ plan plan_of(const job& asked) {
     law = asked.device->make_law();
     table.emplace(device, *law);
   }
-  return make_plan(*asked.of, asked.asked, table ? &*table : nullptr, ports.cos_fraction(),
-                   device.top_name());
+  plan made =
+      make_plan(*asked.of, asked.asked, table ? &*table : nullptr, ports.cos_fraction(), device.top_name());
+  if (!made.has_specular() || asked.asked == effects::all) return made;
+  made.checks_triangles = asked.checks_triangles && asked.shading->is_by_pixel && !asked.by_segments;
+  const std::string_view why =
+      made.checks_triangles    ? "on: no pixel of a triangle is tested whose cones of normals, lights and "
+                                 "views keep cos below the lobe"
+      : asked.by_segments      ? "off: rays are traced one by one"
+      : asked.checks_triangles ? "off: the method shades points that are not pixels of one triangle"
+                               : "off, as asked";
+  made.reasons.push_back(fmt::format("inner specular check {}", why));
+  return made;
 }
 
 outcome render(const job& asked) {
   if (asked.of->lights.size() > kMostLights)
     throw std::invalid_argument("the scene has more than 64 lights, expected at most as many");
+  if (asked.by_segments && (asked.watch || !asked.shading->is_by_pixel))
+    throw std::invalid_argument("segments are of pixels, expected shading phong and none watched");
   return frame(asked).run();
 }
 

@@ -13,6 +13,7 @@
 #include "tb/render/picture.h"
 #include "tb/render/plan.h"
 #include "tb/render/points.h"
+#include "tb/render/segments.h"
 
 namespace blysk::render {
 
@@ -45,9 +46,11 @@ struct job {
   const shading_method* shading;
   bool is_corrected = true;  ///< perspective correction
   effects asked = effects::automatic;
+  bool checks_triangles = true;  ///< the inner specular check, if effects are automatic
   unsigned threads = 1;
   const device_source* device;
   std::optional<watched> watch = {};
+  std::optional<segments> by_segments = {};  ///< rays at the ends of segments in place of a z-buffer
   std::function<void(std::size_t done, std::size_t total)> progress =
       {};  ///< of points; from any thread, one at a time
 };
@@ -62,15 +65,20 @@ struct outcome {
   std::size_t pixels_in_highlight = 0;  ///< to which a specular term adds
   std::size_t triangles_visible = 0;
   std::size_t triangles_in_highlight = 0;  ///< that have such a pixel
+  std::size_t triangles_left_out =
+      0;                           ///< in which the inner specular check finds a light without a highlight
+  std::size_t tests_left_out = 0;  ///< by it: pixels times lights with a highlight
   std::uint64_t device_writes = 0;
-  std::uint64_t watched_writes = 0;           ///< of these, those of watched pixels
+  std::uint64_t watched_writes = 0;  ///< of these, those of watched pixels
+  std::optional<segment_counts> by_segments = {};
   std::map<std::string, double> host_s = {};  ///< by phase
 };
 
 /// The plan alone.
 plan plan_of(const job& asked);
 
-/// \throws std::invalid_argument for a device that does not shade points
+/// \throws std::invalid_argument for a device that does not shade points, and for segments that are watched or not shaded
+/// pixel by pixel
 outcome render(const job& asked);
 
 }  // namespace blysk::render

@@ -68,9 +68,11 @@ std::string report_json(const job& asked, const outcome& of, const circumstances
                                 {"triangles", asked.of->surface.triangles.size()},
                                 {"triangles_visible", of.triangles_visible},
                                 {"triangles_in_highlight", of.triangles_in_highlight},
+                                {"triangles_left_out", of.triangles_left_out},
                                 {"pixels", of.pixels},
                                 {"pixels_in_highlight", of.pixels_in_highlight},
                                 {"points", of.points},
+                                {"tests_left_out", of.tests_left_out},
                                 {"device_writes", of.device_writes},
                                 {"watched_writes", of.watched_writes},
                                 {"units", of.planned.units},
@@ -89,6 +91,12 @@ std::string report_json(const job& asked, const outcome& of, const circumstances
                                 {"frames_per_second", 1 / frame_s(of)},
                                 {"messages", in.messages}};
   if (off.psnr_db) report["psnr_db"] = *off.psnr_db;
+  if (of.by_segments) {
+    report["segments"] = {{"pixels_traced", of.by_segments->traced},
+                          {"pixels_interpolated", of.by_segments->interpolated},
+                          {"elements_2_29", of.by_segments->elements_2_29},
+                          {"elements_2_31", of.by_segments->elements_2_31}};
+  }
   return report.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
@@ -120,8 +128,18 @@ std::string report_table(const job& asked, const outcome& of, const circumstance
   row("pixels in a highlight", fmt::format("{}", of.pixels_in_highlight));
   row("device writes",
       fmt::format("{} of {} points times {} lights", of.device_writes, of.points, asked.of->lights.size()));
+  if (of.by_segments) {
+    row("segments",
+        fmt::format("{} pixels traced, {} interpolated; processing elements by (2.29) {}, by (2.31) {}",
+                    of.by_segments->traced, of.by_segments->interpolated, of.by_segments->elements_2_29,
+                    of.by_segments->elements_2_31));
+  }
   row("triangles", fmt::format("{} in a highlight, {} visible, {} in all", of.triangles_in_highlight,
                                of.triangles_visible, asked.of->surface.triangles.size()));
+  if (of.triangles_left_out > 0) {
+    row("inner specular check", fmt::format("{} triangles left out, {} tests of pixels spared",
+                                            of.triangles_left_out, of.tests_left_out));
+  }
   if (in.cycles > 0)
     row("simulated",
         fmt::format("{} ns, {} clock cycles, {} delta cycles", in.simulated_ns, in.cycles, in.delta_cycles));

@@ -17,14 +17,14 @@ shader::shader(const std::vector<scene::light>& lights, const vec& eye, const pl
       ports_(ports),
       device_(device),
       to_(to),
-      inputs_(ports.make_writes()) {}
-
-bool shader::is_lit(std::uint32_t material) const {
-  for (std::size_t k = 0; k < lights_.size(); ++k) {
-    const light_plan& light = plan_.at(material, k);
-    if (light.has_diffuse || light.has_specular) return true;
+      specular_(planned.specular_lights()),
+      inputs_(ports.make_writes()) {
+  for (std::uint32_t material = 0; material < specular_.size(); ++material) {
+    bool has_diffuse = false;
+    for (std::size_t k = 0; k < lights.size(); ++k)
+      has_diffuse = has_diffuse || planned.at(material, k).has_diffuse;
+    has_diffuse_.push_back(has_diffuse);
   }
-  return false;
 }
 
 void shader::add_unlit(std::uint32_t index, std::uint32_t material) {
@@ -33,22 +33,24 @@ void shader::add_unlit(std::uint32_t index, std::uint32_t material) {
     to_.sums[index][channel] = ambient_term(ambient[channel]);
 }
 
-void shader::add(std::uint32_t index, const point& at) {
+void shader::add(std::uint32_t index, const point& at, light_set dark) {
   add_unlit(index, at.material);
   sum_rgb& sum = to_.sums[index];
-  const vec view = golden::normalised(eye_ - at.position);
+  const light_set specular = specular_[at.material] & ~dark;
+  const vec view = specular != 0 ? golden::normalised(eye_ - at.position) : vec{0, 0, 0};
   const int fraction = ports_.cos_fraction();
   const bool all = plan_.asked == effects::all;
   for (std::size_t k = 0; k < lights_.size(); ++k) {
     const light_plan& light = plan_.at(at.material, k);
-    if (!light.has_diffuse && !light.has_specular) continue;
+    const bool has_specular = (specular >> k & 1) != 0;
+    if (!light.has_diffuse && !has_specular) continue;
     const incidence met = incidence_of(at, view, lights_[k]);
     if (light.has_diffuse) {
       const std::int64_t cosine = cosine_code(met.nl, fraction);
       for (std::size_t channel = 0; channel < 3; ++channel)
         sum[channel] += diffuse_term(light.diffuse[channel], cosine, fraction);
     }
-    if (!light.has_specular) continue;
+    if (!has_specular) continue;
     if (!all && !(met.is_lit && may_reach(at, view, met, light.below_lobe))) continue;
     // Away from the light or the eye, or where these are opposite, there is no highlight, whatever the lobe is at 0.
     const double nh = half_cosine(at, view, met);

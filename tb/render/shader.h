@@ -27,9 +27,12 @@ class shader {
          const device_ports& ports, engine* device, results to);
 
   /// Whether any light does anything on a material; if not, its points are add_unlit().
-  bool is_lit(std::uint32_t material) const;
+  /// \param dark  lights that have no highlight at the point
+  bool is_lit(std::uint32_t material, light_set dark) const {
+    return has_diffuse_[material] || (specular_[material] & ~dark) != 0;
+  }
 
-  void add(std::uint32_t index, const point& at);
+  void add(std::uint32_t index, const point& at, light_set dark);
   void add_unlit(std::uint32_t index, std::uint32_t material);
 
   /// Runs the writes that wait; after the last point.
@@ -55,6 +58,8 @@ class shader {
   const device_ports& ports_;
   engine* device_;
   results to_;
+  std::vector<bool> has_diffuse_;    // of materials
+  std::vector<light_set> specular_;  // of materials
   std::vector<write> waiting_;
   columns inputs_, outputs_;
   std::uint64_t writes_ = 0;

@@ -11,11 +11,6 @@ namespace {
 
 constexpr int kBandRows = 16;
 
-/// Pixels whose centres a triangle may cover; empty if first > last.
-struct box {
-  int first_x, last_x, first_y, last_y;
-};
-
 /// The part of an edge in front of the eye ends where w is this share of its other end.
 constexpr double kNearest = 1e-6;
 
@@ -96,6 +91,48 @@ visibility find_visible(const scene::mesh& surface, const projection& view, int 
       }
     }
   });
+  return seen;
+}
+
+namespace {
+
+constexpr int kTile = 8;  // pixels of a side
+
+std::size_t tile_of(int pixel) {
+  return static_cast<std::size_t>(pixel / kTile);
+}
+
+}  // namespace
+
+ray_caster::ray_caster(const scene::mesh& surface, const projection& view, int width, int height)
+    : surface_(surface),
+      view_(view),
+      tiles_across_(tile_of(width - 1) + 1),
+      of_tile_(tiles_across_ * (tile_of(height - 1) + 1)) {
+  for (std::uint32_t i = 0; i < surface.triangles.size(); ++i) {
+    const box& around = boxes_.emplace_back(box_of(corners_of(surface, view, i), width, height));
+    if (around.first_y > around.last_y || around.first_x > around.last_x) continue;
+    for (std::size_t y = tile_of(around.first_y); y <= tile_of(around.last_y); ++y) {
+      for (std::size_t x = tile_of(around.first_x); x <= tile_of(around.last_x); ++x)
+        of_tile_[y * tiles_across_ + x].push_back(i);
+    }
+  }
+}
+
+std::uint32_t ray_caster::triangle_at(int x, int y) const {
+  std::uint32_t seen = kNoTriangle;
+  double nearest = 0;
+  for (const std::uint32_t each : of_tile_[tile_of(y) * tiles_across_ + tile_of(x)]) {
+    const box& around = boxes_[each];
+    if (x < around.first_x || x > around.last_x || y < around.first_y || y > around.last_y) continue;
+    const footprint print = footprint_of(surface_, view_, each);
+    footprint::weights sides{};
+    if (!print.has_area() || !print.covers(x + 0.5, y + 0.5, sides)) continue;
+    const double nearness = print.nearness(sides);
+    if (!(nearness > nearest)) continue;
+    nearest = nearness;
+    seen = each;
+  }
   return seen;
 }
 

@@ -26,4 +26,26 @@ footprint footprint_of(const scene::mesh& surface, const projection& view, std::
 visibility find_visible(const scene::mesh& surface, const projection& view, int width, int height,
                         unsigned threads);
 
+/// Pixels whose centres a triangle may cover; empty if first > last.
+struct box {
+  int first_x, last_x, first_y, last_y;
+};
+
+/// Rays through the centres of single pixels: what find_visible() finds there.
+class ray_caster {
+ public:
+  /// The arguments outlive it.
+  ray_caster(const scene::mesh& surface, const projection& view, int width, int height);
+
+  /// kNoTriangle: the background.
+  std::uint32_t triangle_at(int x, int y) const;
+
+ private:
+  const scene::mesh& surface_;
+  const projection& view_;
+  std::size_t tiles_across_;
+  std::vector<box> boxes_;
+  std::vector<std::vector<std::uint32_t>> of_tile_;  // triangles, in their order, whose boxes meet it
+};
+
 }  // namespace blysk::render

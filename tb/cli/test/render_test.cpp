@@ -132,6 +132,52 @@ TEST_CASE("the plan says what is computed and why", "[cli][render]") {
   CHECK(folder.names().empty());
 }
 
+TEST_CASE("whole triangles are left out unless it is asked otherwise", "[cli][render]") {
+  const scratch folder;
+  const std::string scene = "sphere --density 6 --size 64x64 ";
+  const json on = rendered(folder, scene);
+  const std::string picture = slurp(folder.path("p.png"));
+  CHECK(on["triangles_left_out"] > 0);
+  CHECK(on["tests_left_out"] > 0);
+  const json off = rendered(folder, scene + "--inner-check off");
+  CHECK(off["triangles_left_out"] == 0);
+  CHECK(off["tests_left_out"] == 0);
+  CHECK(off["device_writes"] == on["device_writes"]);
+  CHECK(slurp(folder.path("p.png")) == picture);
+  const auto explained = [&](const std::string& options) {
+    return run_blysk(folder, "render sphere --explain " + options).out;
+  };
+  CHECK(explained("").find("inner specular check on: ") != std::string::npos);
+  CHECK(explained("--inner-check off").find("inner specular check off, as asked") != std::string::npos);
+  CHECK(explained("--shading gouraud").find("inner specular check off: ") != std::string::npos);
+  refuses(folder, "sphere --inner-check maybe", "--inner-check");
+}
+
+TEST_CASE("segments are another renderer", "[cli][render]") {
+  const scratch folder;
+  const std::string scene = "teapot --density 4 --size 64x48 ";
+  const json whole = rendered(folder, scene);
+  CHECK(!whole.contains("segments"));
+  const std::string picture = slurp(folder.path("p.png"));
+  const json rays = rendered(folder, scene + "--renderer segments --segment 1 --engine systemc");
+  CHECK(slurp(folder.path("p.png")) == picture);
+  CHECK(rays["segments"]["pixels_traced"] == 64 * 48);
+  CHECK(rays["segments"]["elements_2_29"] == 65 * 48);
+  const json some = rendered(folder, scene +
+                                         "--renderer segments --segment-limit 5 --segment-measure rgb "
+                                         "--segment-inner cubic");
+  CHECK(some["segments"]["pixels_traced"] < 64 * 48);
+  CHECK(some["segments"]["pixels_traced"].get<int>() + some["segments"]["pixels_interpolated"].get<int>() ==
+        64 * 48);
+  CHECK(some["segments"]["elements_2_29"] == 9 * 48);
+  CHECK(some["device_writes"] < whole["device_writes"]);
+  refuses(folder, scene + "--renderer segments --shading flat", "expected shading phong and no --watch");
+  refuses(folder, scene + "--renderer segments --watch 1,1", "expected shading phong and no --watch");
+  refuses(folder, scene + "--renderer segments --segment 0", "--segment");
+  refuses(folder, scene + "--renderer segments --segment-limit nan", "--segment-limit");
+  refuses(folder, scene + "--renderer segments --segment-measure lab", "--segment-measure");
+}
+
 TEST_CASE("an OBJ file of one's own is one command", "[cli][render]") {
   const scratch folder;
   folder.write("own.mtl", "newmtl red\nKd 0.5 0.1 0.1\nKs 0.5\nNs 35.999996\n");

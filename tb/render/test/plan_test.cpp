@@ -11,6 +11,7 @@
 #include "tb/render/effects/specular.h"
 #include "tb/render/render.h"
 #include "tb/render/report.h"
+#include "tb/render/test/picture_source.h"
 #include "tb/render/test/random_scene.h"
 #include "tb/scene/shapes.h"
 
@@ -19,27 +20,7 @@ namespace {
 using namespace blysk;
 using namespace blysk::render;
 
-/// An engine, or the formula, of a device for a picture.
-class source {
- public:
-  source(const selection& device, bool is_formula) {
-    const auto make = [device, is_formula] {
-      return is_formula ? device.of().make_golden(device) : device.of().make_bit(device);
-    };
-    of_ = std::make_unique<device_source>(device_source{device,
-                                                        [this, make](unsigned thread) {
-                                                          while (engines_.size() <= thread)
-                                                            engines_.push_back(make());
-                                                          return engines_[thread].get();
-                                                        },
-                                                        false, make});
-  }
-  const device_source* of() const { return of_.get(); }
-
- private:
-  std::vector<std::unique_ptr<engine>> engines_;
-  std::unique_ptr<device_source> of_;
-};
+using source = test::picture_source;
 
 outcome picture_of(const scene::world& of, const source& from, effects asked, const char* shading = "phong",
                    int side = 20) {

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Segments of rows, [T] 2.6: the two ends of a segment are traced; if their colours are near to each other, the pixels
+/// between them are interpolated, else the segment is halved.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string_view>
+
+#include "tb/render/picture.h"
+
+namespace blysk::render {
+
+/// How far two colours are from each other. [T] states 2.3 and no measure: it is the just noticeable difference of CIE76.
+enum class colour_measure {
+  cie76,  ///< distance in CIELAB of sRGB, white D65: 100 from black to white
+  rgb     ///< distance of the codes 0..255
+};
+
+/// Of the pixels inside a segment.   [T] fig. 2.18
+enum class inner_colours {
+  mean,    ///< half the sum of the ends, (2.27)
+  linear,  ///< in proportion to the distances
+  cubic  ///< through the ends, with the slopes that the next traced pixels on either side give (Catmull, Rom 1974)
+};
+
+struct segments {
+  int length = 8;      ///< pixels from one end to the other, 1 and up: one traced, length - 1 between
+  double limit = 2.3;  ///< K: the largest difference that is interpolated
+  colour_measure measure = colour_measure::cie76;
+  inner_colours inner = inner_colours::mean;
+};
+
+struct segment_counts {
+  std::uint64_t traced = 0;        ///< pixels
+  std::uint64_t interpolated = 0;  ///< all others
+  std::uint64_t elements_2_29 =
+      0;  ///< processing elements of a picture with segments of one length, (2.28) (2.29)
+  std::uint64_t elements_2_31 = 0;  ///< the same by (2.31), with the row's segments as they came out
+};
+
+double colour_difference(colour_measure by, const std::uint8_t* a, const std::uint8_t* b);
+
+/// Fills a picture.
+/// \param trace  writes the colours of these pixels, numbered row by row; each is asked for once
+segment_counts fill_by_segments(picture& image, const segments& asked,
+                                const std::function<void(std::span<const std::uint32_t>)>& trace);
+
+}  // namespace blysk::render
