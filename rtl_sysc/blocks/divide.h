@@ -9,13 +9,14 @@ namespace blysk {
 /// Divider: q_o = a_i / b_i, rounded down, for a_i <= b_i: a row of subtractors, one for each bit of the quotient, each of
 /// which keeps its difference if that is not negative.
 ///
-/// Instances  div of Schlick's lobe.
-/// Formats    a_i: A, b_i: B, unsigned with the same fraction bits; q_o: UQ1.f. A division by 0 gives all ones.
+/// Instances  div of Schlick's lobe and of GX's.
+/// Formats    a_i: A, b_i: B, unsigned, A with no more fraction bits than B; q_o: UQ1.f. A division by 0 gives all ones.
 /// Timing     combinational.   Error  below 1 ulp of q_o, downwards.
 template <class A, class B, class Q>
 struct divide : sc_core::sc_module {
-  static_assert(!A::is_signed && !B::is_signed && A::frac == B::frac && Q::width == Q::frac + 1);
-  static_assert(A::width <= B::width && B::width <= 61);
+  static constexpr int a_shift = B::frac - A::frac;  // by wiring
+  static_assert(!A::is_signed && !B::is_signed && a_shift >= 0 && Q::width == Q::frac + 1);
+  static_assert(A::width + a_shift <= B::width && B::width <= 61);
 
   sc_core::sc_in<typename A::raw_t> SC_NAMED(a_i);
   sc_core::sc_in<typename B::raw_t> SC_NAMED(b_i);
@@ -29,7 +30,7 @@ struct divide : sc_core::sc_module {
   template <class T>
   static constexpr T law(T a, T b) {
     using law::select;
-    T rest = a;
+    T rest = law::move_up(a, a_shift);
     T quotient = static_cast<T>(0);
     for (int bit = Q::frac; bit >= 0; --bit) {
       const T is_less = static_cast<T>(rest < b);

@@ -443,15 +443,17 @@ TEST_CASE("shift_right divides by powers of two, rounding down", "[unit][shift_r
   }
 }
 
+template <class A, class B>
 struct divide_bench {
   explicit divide_bench(const char* name) : block(name) { block.a_i(a), block.b_i(b), block.q_o(q); }
-  divide<unit<4>, uq<3, 4>, unit<6>> block;
-  wire<unit<4>> a;
-  wire<uq<3, 4>> b;
+  divide<A, B, unit<6>> block;
+  wire<A> a;
+  wire<B> b;
   wire<unit<6>> q;
 };
 
-divide_bench divider("divider");
+divide_bench<unit<4>, uq<3, 4>> divider("divider");
+divide_bench<unit<4>, uq<3, 6>> moved_divider("moved_divider");
 
 TEST_CASE("divide rounds the quotient down, for all operands whose quotient is at most 1", "[unit][divide]") {
   for (unsigned b = 1; b < 128; ++b) {
@@ -468,6 +470,18 @@ TEST_CASE("divide rounds the quotient down, for all operands whose quotient is a
   divider.b.write(0);
   settle();
   CHECK(divider.q.read().to_uint() == 127);
+}
+
+TEST_CASE("divide moves up a dividend with fewer fraction bits", "[unit][divide]") {
+  for (unsigned b = 1; b < 512; ++b) {
+    for (unsigned a = 0; 4 * a <= b && a < 32; ++a) {
+      moved_divider.a.write(a);
+      moved_divider.b.write(b);
+      settle();
+      CAPTURE(a, b);
+      REQUIRE(moved_divider.q.read().to_uint() == 4 * a * 64 / b);
+    }
+  }
 }
 
 }  // namespace

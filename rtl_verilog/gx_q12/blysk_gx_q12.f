@@ -1,0 +1,14 @@
+blysk_gx_q12.v
+blysk_gx_q12_add_uq9_25_uq1_24_to_uq9_25.v
+blysk_gx_q12_buffer.v
+blysk_gx_q12_constant_uq1_0.v
+blysk_gx_q12_divide_uq1_24_uq9_25_to_uq1_13.v
+blysk_gx_q12_move_point_uq10_0_to_uq9_1.v
+blysk_gx_q12_mul_uq1_12_uq1_12_to_uq1_24.v
+blysk_gx_q12_mul_uq1_12_uq8_0_to_uq8_12.v
+blysk_gx_q12_mul_uq9_1_uq1_24_to_uq9_25.v
+blysk_gx_q12_one_minus_uq1_24.v
+blysk_gx_q12_quantise_uq1_13_to_uq1_12.v
+blysk_gx_q12_reg_level_uq10_0.v
+blysk_gx_q12_reg_level_uq8_0.v
+blysk_gx_q12_reg_trailing_uq1_12.v

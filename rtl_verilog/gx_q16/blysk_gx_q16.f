@@ -1,0 +1,14 @@
+blysk_gx_q16.v
+blysk_gx_q16_add_uq9_29_uq1_28_to_uq9_29.v
+blysk_gx_q16_buffer.v
+blysk_gx_q16_constant_uq1_0.v
+blysk_gx_q16_divide_uq1_28_uq9_29_to_uq1_17.v
+blysk_gx_q16_move_point_uq10_0_to_uq9_1.v
+blysk_gx_q16_mul_uq1_16_uq1_16_to_uq1_28.v
+blysk_gx_q16_mul_uq1_16_uq8_0_to_uq8_16.v
+blysk_gx_q16_mul_uq9_1_uq1_28_to_uq9_29.v
+blysk_gx_q16_one_minus_uq1_28.v
+blysk_gx_q16_quantise_uq1_17_to_uq1_16.v
+blysk_gx_q16_reg_level_uq10_0.v
+blysk_gx_q16_reg_level_uq8_0.v
+blysk_gx_q16_reg_trailing_uq1_16.v

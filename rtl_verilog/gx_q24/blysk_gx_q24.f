@@ -1,0 +1,14 @@
+blysk_gx_q24.v
+blysk_gx_q24_add_uq9_37_uq1_36_to_uq9_37.v
+blysk_gx_q24_buffer.v
+blysk_gx_q24_constant_uq1_0.v
+blysk_gx_q24_divide_uq1_36_uq9_37_to_uq1_25.v
+blysk_gx_q24_move_point_uq10_0_to_uq9_1.v
+blysk_gx_q24_mul_uq1_24_uq1_24_to_uq1_36.v
+blysk_gx_q24_mul_uq1_24_uq8_0_to_uq8_24.v
+blysk_gx_q24_mul_uq9_1_uq1_36_to_uq9_37.v
+blysk_gx_q24_one_minus_uq1_36.v
+blysk_gx_q24_quantise_uq1_25_to_uq1_24.v
+blysk_gx_q24_reg_level_uq10_0.v
+blysk_gx_q24_reg_level_uq8_0.v
+blysk_gx_q24_reg_trailing_uq1_24.v

@@ -1,0 +1,14 @@
+blysk_gx_q8.v
+blysk_gx_q8_add_uq9_17_uq1_16_to_uq9_17.v
+blysk_gx_q8_buffer.v
+blysk_gx_q8_constant_uq1_0.v
+blysk_gx_q8_divide_uq1_16_uq9_17_to_uq1_9.v
+blysk_gx_q8_move_point_uq10_0_to_uq9_1.v
+blysk_gx_q8_mul_uq1_8_uq1_8_to_uq1_16.v
+blysk_gx_q8_mul_uq1_8_uq8_0_to_uq8_8.v
+blysk_gx_q8_mul_uq9_1_uq1_16_to_uq9_17.v
+blysk_gx_q8_one_minus_uq1_16.v
+blysk_gx_q8_quantise_uq1_9_to_uq1_8.v
+blysk_gx_q8_reg_level_uq10_0.v
+blysk_gx_q8_reg_level_uq8_0.v
+blysk_gx_q8_reg_trailing_uq1_8.v

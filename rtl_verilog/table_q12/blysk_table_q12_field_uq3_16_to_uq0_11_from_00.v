@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+// Wires: y_o = the bits of a_i from one on, as many as y_o has.
+// device table, format q12, a memory of 256 lines, exported from the SystemC model.
+`default_nettype none
+
+module blysk_table_q12_field_uq3_16_to_uq0_11_from_00 (
+    input  wire [18:0] a_i,  // UQ3.16
+    output wire [10:0] y_o  // UQ0.11
+);
+
+  wire [7:0] unused_a_i_high = a_i[18:11];  // beyond the range of the result
+
+  assign y_o = a_i[10:0] & 11'd2047;
+
+endmodule
+
+`default_nettype wire

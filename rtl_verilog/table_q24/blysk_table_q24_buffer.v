@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+// Wire: y_o = a_i.
+// device table, format q24, a memory of 256 lines, exported from the SystemC model.
+`default_nettype none
+
+module blysk_table_q24_buffer (
+    input  wire a_i,
+    output wire y_o
+);
+
+  assign y_o = a_i;
+
+endmodule
+
+`default_nettype wire

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+// Multiplier: p_o = a_i * b_i, exact.
+// device table, format q8, a memory of 256 lines, exported from the SystemC model.
+`default_nettype none
+
+module blysk_table_q8_mul_uq1_8_uq1_9_to_uq1_17 (
+    input  wire [8:0] a_i,  // UQ1.8, codes 0..256
+    input  wire [9:0] b_i,  // UQ1.9
+    output wire [17:0] p_o  // UQ1.17
+);
+
+  assign p_o = a_i * b_i;
+
+endmodule
+
+`default_nettype wire
