@@ -55,6 +55,8 @@ class gx final : public specular::device_of_points {
     return golden::gx<double>;
   }
 
+  std::string equation(const selection&) const override { return "BRDF = c^2 / (c^2 + n (1 - c^2)/2)"; }
+
   /// It reaches 0 at cos = 0 alone.
   double root(const selection&, double) const override { return 0; }
 

@@ -103,6 +103,10 @@ class table final : public specular::device_of_points {
     });
   }
 
+  std::string equation(const selection&) const override {
+    return "BRDF = e^-t, 0 from t = 8 on, t = n (1 - c) (1 + (1 - c)/2)";
+  }
+
   std::function<double(double, double)> formula(const selection&) const override {
     return [](double n, double c) { return decay(power_log(n, c)); };
   }
