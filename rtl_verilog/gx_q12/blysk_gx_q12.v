@@ -1,5 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // device gx, format q12, a combinational divider, exported from the SystemC model.
+// What blysk knows of it, and the digest of its modules without this comment:
+//   computes: BRDF = c^2 / (c^2 + n (1 - c^2)/2), c = cos(delta); red, green, blue = BRDF (R, G, B) k_s
+//   digest: sha256:57d5da634d2151b9c7664f3ffb6ae71ddfac0d960b7088a7d71dcfe0f4be5796
+//   error against c^n, every code of the cosine: at most 0.203193 (n = 928, c = 0.997314453125), bias 0.0117756; 4097000 inputs, n in 1..1000, exhaustive
+//   error against c^n, pixels of a lit sphere, 512 x 512: at most 0.213657 (n = 995, c = 0.9976842579877792), bias 0.0216458; 146779000 inputs, n in 1..1000, exhaustive
+//   not known with these options: certificate, iCE40, iCE40 with DSP, iCE40 HX8K, OSU018, settling
 `default_nettype none
 
 module blysk_gx_q12 (

@@ -1,5 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // device gx, format q16, a combinational divider, exported from the SystemC model.
+// What blysk knows of it, and the digest of its modules without this comment:
+//   computes: BRDF = c^2 / (c^2 + n (1 - c^2)/2), c = cos(delta); red, green, blue = BRDF (R, G, B) k_s
+//   digest: sha256:12025798e0855b13751a35a8ecd18b87e7027e1bfbc558f6bfef30708e6b2faa
+//   error against c^n, every code of the cosine: at most 0.203125 (n = 998, c = 0.9974822998046875), bias 0.0117817; 65537000 inputs, n in 1..1000, exhaustive
+//   error against c^n, pixels of a lit sphere, 512 x 512: at most 0.203678 (n = 945, c = 0.9973527265915006), bias 0.021641; 146779000 inputs, n in 1..1000, exhaustive
+//   not known with these options: certificate, iCE40, iCE40 with DSP, iCE40 HX8K, OSU018, settling
 `default_nettype none
 
 module blysk_gx_q16 (

@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // device gx, format q24, a combinational divider, exported from the SystemC model.
+// What blysk knows of it, and the digest of its modules without this comment:
+//   computes: BRDF = c^2 / (c^2 + n (1 - c^2)/2), c = cos(delta); red, green, blue = BRDF (R, G, B) k_s
+//   digest: sha256:880046c08af0d0245995664c4803715278858caf4adf88f84fbc0bdf974af19d
+//   not known with these options: errors, certificate, iCE40, iCE40 with DSP, iCE40 HX8K, OSU018, settling
 `default_nettype none
 
 module blysk_gx_q24 (

@@ -1,5 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // device table, format q12, a memory of 256 lines, exported from the SystemC model.
+// What blysk knows of it, and the digest of its modules without this comment:
+//   computes: BRDF = e^-t, 0 from t = 8 on, t = n (1 - c) (1 + (1 - c)/2), c = cos(delta); red, green, blue = BRDF (R, G, B) k_s
+//   digest: sha256:24e24547efa9b3b3030af4e2f9425d5ee0ce701871e562f7eb68d99c207caa28
+//   error against c^n, every code of the cosine: at most 0.223145 (n = 1, c = 0), bias 0.000148249; 4097000 inputs, n in 1..1000, exhaustive
+//   error against c^n, pixels of a lit sphere, 512 x 512: at most 0.212906 (n = 1, c = 0.018539761437612663), bias 9.57231e-05; 146779000 inputs, n in 1..1000, exhaustive
+//   not known with these options: certificate, iCE40, iCE40 with DSP, iCE40 HX8K, OSU018, settling
 `default_nettype none
 
 module blysk_table_q12 (

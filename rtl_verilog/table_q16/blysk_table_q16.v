@@ -1,5 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // device table, format q16, a memory of 256 lines, exported from the SystemC model.
+// What blysk knows of it, and the digest of its modules without this comment:
+//   computes: BRDF = e^-t, 0 from t = 8 on, t = n (1 - c) (1 + (1 - c)/2), c = cos(delta); red, green, blue = BRDF (R, G, B) k_s
+//   digest: sha256:9103e678f084362339d1e2db6634635adf70d8b91516d521219e9c3672ae18e6
+//   error against c^n, every code of the cosine: at most 0.223129 (n = 1, c = 0), bias 0.000148226; 65537000 inputs, n in 1..1000, exhaustive
+//   error against c^n, pixels of a lit sphere, 512 x 512: at most 0.212997 (n = 1, c = 0.018539761437612663), bias 9.10508e-05; 146779000 inputs, n in 1..1000, exhaustive
+//   not known with these options: certificate, iCE40, iCE40 with DSP, iCE40 HX8K, OSU018, settling
 `default_nettype none
 
 module blysk_table_q16 (

@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // device table, format q24, a memory of 256 lines, exported from the SystemC model.
+// What blysk knows of it, and the digest of its modules without this comment:
+//   computes: BRDF = e^-t, 0 from t = 8 on, t = n (1 - c) (1 + (1 - c)/2), c = cos(delta); red, green, blue = BRDF (R, G, B) k_s
+//   digest: sha256:48ca92befcfd202ac556b893c052c1571151e1c0a7353e807079fd04ef22c90e
+//   not known with these options: errors, certificate, iCE40, iCE40 with DSP, iCE40 HX8K, OSU018, settling
 `default_nettype none
 
 module blysk_table_q24 (
