@@ -74,9 +74,35 @@ TEST_CASE("every device is made in every format", "[registry]") {
 
 TEST_CASE("an unknown device is refused", "[registry]") {
   std::vector<std::string> names;
-  for (const device* each : devices()) names.push_back(each->name());
+  for (const device* each : devices()) {
+    names.push_back(each->name());
+    for (const device_alias& other : each->aliases()) names.push_back(other.name);
+  }
   CHECK(refusal("nosuch", kFormat) == "device nosuch does not exist, expected " + listed(names));
   CHECK(refusal("", kFormat) == "device  does not exist, expected " + listed(names));
+}
+
+TEST_CASE("an alias is its device with its options", "[registry]") {
+  for (const device* each : devices()) {
+    for (const device_alias& other : each->aliases()) {
+      CAPTURE(other.name);
+      const selection asked = choose(other.name, kFormat);
+      CHECK(&asked.of() == each);
+      CHECK(asked.text() == choose(each->name(), kFormat, other.options).text());
+      CHECK(choose(other.name, kFormat, other.options).text() == asked.text());
+      for (const auto& [name, value] : other.options) {
+        for (const option& own : each->options()) {
+          if (own.name != name) continue;
+          for (const std::string& another : own.values) {
+            if (another == value) continue;
+            CHECK(refusal(other.name, kFormat, {{name, another}}) == "device " + other.name + " has " + name +
+                                                                         " " + value + ", expected no --" +
+                                                                         name + " " + another);
+          }
+        }
+      }
+    }
+  }
 }
 
 TEST_CASE("an unknown format is refused", "[registry]") {
