@@ -371,9 +371,11 @@ void add_explore(CLI::App& program, int& status) {
       "  blysk explore --cos 8..9 --shard 1/2 --output part1\n"
       "  blysk explore --cos 8..9 --shard 2/2 --output part2\n"
       "  blysk explore merge part1 part2 --output whole");
-  verb->callback([asked, verb, merge, &status] {
-    for (const CLI::Option* each : verb->get_options()) {
-      if (each->count() > 0) asked->given.insert(each->get_name());
+  verb->callback([asked, verb, form, merge, &status] {
+    for (const CLI::App* group : {static_cast<const CLI::App*>(verb), static_cast<const CLI::App*>(form)}) {
+      for (const CLI::Option* each : group->get_options()) {
+        if (each->count() > 0) asked->given.insert(each->get_name());
+      }
     }
     if (merge->parsed()) {
       for (const std::string& name : asked->given) {

@@ -28,7 +28,10 @@ constexpr const char* kSerial = "serial";
 /// An export is replaced by one of the same device and options alone.
 /// \throws usage_error if the folder holds another one under the same names
 void expect_same_export(const std::string& folder, const std::string& top, const std::string& text) {
-  std::ifstream file(std::filesystem::path(folder) / top, std::ios::binary);
+  const std::filesystem::path path = std::filesystem::path(folder) / top;
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error)) return;
+  std::ifstream file(path, std::ios::binary);
   constexpr std::string_view kBegin = "// device ";
   for (std::string line; std::getline(file, line);) {
     if (!line.starts_with(kBegin)) {
@@ -37,8 +40,10 @@ void expect_same_export(const std::string& folder, const std::string& top, const
     }
     const std::string there = line.substr(3, line.rfind(", exported from") - 3);
     if (there == text) return;
-    throw file_error(folder, 0,
-                     fmt::format("holds {}, expected an empty directory or one with {}", there, text));
+    throw file_error(
+        folder, 0,
+        fmt::format("holds {}, expected an empty directory or one with files of the export of {}", there,
+                    text));
   }
 }
 

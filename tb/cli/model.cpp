@@ -70,7 +70,8 @@ void run(const options& asked) {
   if (model == nullptr) {
     throw usage_error(fmt::format("model '{}' does not exist, expected a name from blysk list", asked.name));
   }
-  expect_different_files({"--points", "--results"}, {asked.points, asked.results});
+  // "-" is standard input there.
+  expect_different_files({"--points", "--results"}, {asked.points == "-" ? "" : asked.points, asked.results});
   csv_reader rows(asked.points, model->header);
   point_reader points(rows, model->header, asked.clamps);
   output_file results(asked.results);

@@ -91,9 +91,12 @@ class obj_reader {
     if (word == "on") return 1;
     std::int32_t group = 0;
     const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), group);
-    if (error != std::errc{} || end != value.data() + value.size() || group < 0)
-      fail(fmt::format("smoothing group is '{}', expected off, on or a number of at most {}", shown(value),
-                       std::numeric_limits<std::int32_t>::max()));
+    if (error != std::errc{} || end != value.data() + value.size() || group < 0) {
+      fail(fmt::format("smoothing group is '{}', expected off or a number{}", shown(value),
+                       error == std::errc::result_out_of_range
+                           ? fmt::format(" of at most {}", std::numeric_limits<std::int32_t>::max())
+                           : ""));
+    }
     return group;
   }
 

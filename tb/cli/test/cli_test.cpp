@@ -81,7 +81,7 @@ TEST_CASE("an export replaces one with the same options alone", "[cli]") {
   CHECK(other.status == 2);
   CHECK(other.err.starts_with("blysk: " + folder.path("rtl") + ": holds device " + kDevice +
                               ", format q8, coefficient published"));
-  CHECK(other.err.find("expected an empty directory or one with device " + kDevice +
+  CHECK(other.err.find("expected an empty directory or one with files of the export of device " + kDevice +
                        ", format q8, coefficient derived") != std::string::npos);
   CHECK(slurp(top) == before);
 }

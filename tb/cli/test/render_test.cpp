@@ -283,9 +283,12 @@ TEST_CASE("a bad scene is one line that names file and line", "[cli][render]") {
   refuses_text("a.obj", kTriangle + "f 1 1 2\n", ": has no triangle with an area, expected one");
   refuses_text("a.obj", std::string("v 0 0 1\n\0\n", 10), ":2: holds a zero byte, expected text");
   refuses_text("a.json", "{", ":1: is no JSON here, expected a scene");
-  refuses_text("a.json", "{", "; column 2 has the end of the file");
+  refuses_text(
+      "a.json", "{",
+      ":1: is no JSON here, expected a scene as docs/scenes.md has it; column 2 has the end of the file");
   refuses_text("a.json", "{\n\"mesh\": \"sphere\",\n\"x\": }", ":3: is no JSON here");
-  refuses_text("a.json", "{\n\"mesh\": \"sphere\",\n}", "docs/scenes.md has it; column 1 has '}'");
+  refuses_text("a.json", "{\n\"mesh\": \"sphere\",\n}",
+               ":3: is no JSON here, expected a scene as docs/scenes.md has it; column 1 has '}'");
   refuses_text("a.json", R"({"mesh": "sphere", "mesh": "torus"})",
                ": has 'mesh' twice in one object, expected it once");
   refuses_text("a.json", R"({"mesh": "sphere", "lights": [{"position": [1, 1, 1], "position": [2, 2, 2]}]})",
@@ -296,9 +299,9 @@ TEST_CASE("a bad scene is one line that names file and line", "[cli][render]") {
       R"({"mesh": "sphere", "density": )" + std::string(200'000, '[') + std::string(200'000, ']') + "}",
       ": density: is an array, expected a number in [1, ");
   refuses_text("a.json", R"({"mesh": "sphere", ")" + std::string(100'000, 'x') + "\": 1}",
-               "xxx...', expected mesh");
+               ": the file: has '" + std::string(40, 'x') + "...', expected mesh");
   refuses_text("a.json", R"({"mesh": "sphere", "density": ")" + std::string(100'000, 'x') + "\"}",
-               "xxx..., expected a number in [1, ");
+               ": density: is \"" + std::string(39, 'x') + "..., expected a number in [1, ");
   refuses_text("a.json", R"({"mesh": 1e999})", ": has a number beyond 1.8e308, expected a scene");
   refuses_text("a.json", "[]", ": the file: is array, expected an object");
   refuses_text("a.json", R"({"lights": []})", ": the file: has no mesh, expected its name");
@@ -319,8 +322,10 @@ TEST_CASE("a bad scene is one line that names file and line", "[cli][render]") {
                ": camera: eye and target are one place, expected two");
   refuses_text("a.json", R"({"mesh": "sphere\u0000.obj"})", ": mesh: holds a zero byte, expected text");
   refuses_text("a.json", R"({"x\u0000y": 1})", R"(: the file: has 'x\x00y', expected mesh)");
-  refuses_text("a.json", R"({"mesh": ")" + std::string(300, 'x') + "\"}", "");
-  refuses_text("a.ply", "ply\nformat ascii 1.0\n", ": cannot be read (");
+  folder.write("a.json", R"({"mesh": ")" + std::string(300, 'x') + "\"}");
+  refuses(folder, in(folder, "a.json"),
+          "...: cannot be read (File name too long), expected a shape or a file");
+  refuses_text("a.ply", "ply\nformat ascii 1.0\n", ": ");
   refuses_text("a.3ds", "nothing", ": cannot be read (");
   refuses(folder, std::string(300, 'x'),
           "xxx...: cannot be read (File name too long), expected a shape or a file");
