@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # bare_debian_test.sh SOURCE BUILD SYSTEMC DEVICE: the package for Debian is installed on a Debian 12 that has nothing but its base
 # system. There the program computes with each engine, an outside project is built on the headers and the library, and the
-# package is removed again. Debian comes through debootstrap from DEBIAN_MIRROR, or deb.debian.org.
+# package is removed again. Debian comes through debootstrap from DEBIAN_MIRROR, or from its own default.
 # Status 77: not root, no debootstrap, or no mirror.
 set -euo pipefail
 source=$1 build=$2 systemc=$3 device=$4
@@ -14,7 +14,7 @@ folder=$(mktemp -d)
 trap 'rm -rf --one-file-system "$folder"' EXIT
 root=$folder/root
 quietly() { "$@" >"$folder/log" 2>&1 </dev/null || { tail -n 20 "$folder/log" >&2 && return 1; }; }
-quietly debootstrap --variant=minbase bookworm "$root" "${DEBIAN_MIRROR:-http://deb.debian.org/debian}" ||
+quietly debootstrap --variant=minbase bookworm "$root" ${DEBIAN_MIRROR:+"$DEBIAN_MIRROR"} ||
   skip "debootstrap made no Debian 12"
 cp -r /etc/apt/apt.conf.d "$root/etc/apt/" # how this machine reaches its mirror
 (cd "$folder" && quietly cpack --config "$build/CPackConfig.cmake" -B "$folder") || fail "no package was made"
