@@ -6,41 +6,35 @@
 
 #include "rtl_sysc/devices/gx/gx.h"
 #include "tb/golden/lobe_formulas.h"
-#include "tb/specular/point_engines.h"
-#include "tb/specular/specular.h"
+#include "tb/specular/lobe.h"
 #include "tb/visit_format.h"
 
 namespace blysk::gx_device {
 namespace {
 
-/// From registers 1 and 2 to the BRDF.
-/// \param n          code of register 1
-/// \param cos_delta  raw, 0..2^F; beyond, the result is unspecified
-/// \return           BRDF, raw
-template <class Formats>
-[[gnu::always_inline]] inline std::int64_t brdf(std::int64_t n, std::int64_t cos_delta) {
-  using std::int64_t;
-  const int64_t grounded = 0;
-  const int64_t square = Formats::mul_cos::law(cos_delta, cos_delta);
-  const int64_t drop = Formats::mul_n::law(Formats::halve_n::law(n), Formats::sub_square::law(square));
-  const int64_t divisor = Formats::add_divisor::law(drop, square, grounded);
-  return Formats::quant::law(Formats::div::law(square, divisor));
-}
+/// The arithmetic, in the formats of what is asked for.
+struct law {
+  /// From registers 1 and 2 to the BRDF.
+  /// \param n          code of register 1
+  /// \param cos_delta  raw, 0..2^F; beyond, the result is unspecified
+  /// \return           BRDF, raw
+  template <class Formats>
+  [[gnu::always_inline]] static std::int64_t brdf(std::int64_t n, std::int64_t cos_delta) {
+    using std::int64_t;
+    const int64_t grounded = 0;
+    const int64_t square = Formats::mul_cos::law(cos_delta, cos_delta);
+    const int64_t drop = Formats::mul_n::law(Formats::halve_n::law(n), Formats::sub_square::law(square));
+    const int64_t divisor = Formats::add_divisor::law(drop, square, grounded);
+    return Formats::quant::law(Formats::div::law(square, divisor));
+  }
 
-template <class Formats, class Columns>
-void compute(const Columns& io) {
-  specular::shade_points<std::int64_t>(
-      [](std::uint16_t n, auto cos_delta)
-          __attribute__((always_inline)) { return brdf<Formats>(n, static_cast<std::int64_t>(cos_delta)); },
-      io);
-}
+  template <class Use>
+  static auto in_formats(const selection& asked, Use use) {
+    return visit_format(asked.format(), [&]<class Q>() { return use.template operator()<gx_formats<Q>>(); });
+  }
+};
 
-template <class Use>
-auto in_formats(const selection& asked, Use use) {
-  return visit_format(asked.format(), [&]<class Q>() { return use.template operator()<gx_formats<Q>>(); });
-}
-
-class gx final : public specular::device_of_points {
+class gx final : public specular::device_of_lobe<law> {
  public:
   std::string name() const override { return "gx"; }
   std::string title() const override { return "a quotient of parabolas in cos(delta)"; }
@@ -64,7 +58,7 @@ class gx final : public specular::device_of_points {
   /// formula's own rounding.
   std::function<double(double, double)> bound(const selection& asked) const override {
     const int fraction = asked.fraction();
-    const int square_bits = in_formats(asked, []<class Formats>() { return Formats::square_bits; });
+    const int square_bits = law::in_formats(asked, []<class Formats>() { return Formats::square_bits; });
     return [fraction, square_bits](double n, double c) {
       const double half = std::ldexp(1.0, -fraction - 1) + 16 * std::numeric_limits<double>::epsilon();
       if (square_bits == 2 * fraction) return half;
@@ -72,22 +66,6 @@ class gx final : public specular::device_of_points {
       const double divisor = n / 2 * (1 - c) * (1 + c) + c * c - std::fabs(n / 2 - 1) * moved;
       return half + moved * n / 2 / (divisor * divisor);
     };
-  }
-
-  std::unique_ptr<engine> make_bit(const selection& asked) const override {
-    return in_formats(asked, []<class Formats>() {
-      return specular::make_kernel_engine<Formats>(
-          [](const specular::columns_of<Formats>& io) { compute<Formats>(io); });
-    });
-  }
-
-  word_lengths widths(const selection& asked) const override { return {{"cos", asked.fraction()}}; }
-
-  std::unique_ptr<engine> make_bit(const selection& asked, const word_lengths& bits) const override {
-    specular::check_only_cosine(asked, bits);
-    return in_formats(asked, []<class Formats>() {
-      return specular::make_free_engine([](const specular::free_columns& io) { compute<Formats>(io); });
-    });
   }
 };
 

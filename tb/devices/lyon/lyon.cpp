@@ -11,8 +11,7 @@
 
 #include "tb/devices/lyon/degree.h"
 #include "tb/golden/lobe_formulas.h"
-#include "tb/specular/point_engines.h"
-#include "tb/specular/specular.h"
+#include "tb/specular/lobe.h"
 #include "tb/visit_format.h"
 
 namespace blysk::lyon_device {
@@ -29,38 +28,33 @@ int degree(const selection& asked) {
   return k;
 }
 
-/// From registers 1 and 2 to the BRDF.
-/// \param n          code of register 1
-/// \param cos_delta  raw, 0..2^F; beyond, the result is unspecified
-/// \return           BRDF, raw
-template <class Formats>
-[[gnu::always_inline]] inline std::int64_t brdf(std::int64_t n, std::int64_t cos_delta) {
-  using std::int64_t;
-  const int64_t unity = 1;
-  const int64_t versine = Formats::add_cos::law(unity, Formats::inv_cos::law(cos_delta), unity);
-  const int64_t drop = Formats::mul_n::law(Formats::part_n::law(n), versine);
-  const int64_t line = Formats::add_line::law(unity, Formats::inv_drop::law(drop), unity);
-  const int64_t root = Formats::quant_line::law(line);
-  int64_t power = Formats::first_square::law(root, root);
-  if constexpr (Formats::squarings == 3) power = Formats::next_square::law(power, power);
-  if constexpr (Formats::squarings > 1) power = Formats::last_square::law(power, power);
-  return power;
-}
+/// The arithmetic, in the formats of what is asked for.
+struct law {
+  /// From registers 1 and 2 to the BRDF.
+  /// \param n          code of register 1
+  /// \param cos_delta  raw, 0..2^F; beyond, the result is unspecified
+  /// \return           BRDF, raw
+  template <class Formats>
+  [[gnu::always_inline]] static std::int64_t brdf(std::int64_t n, std::int64_t cos_delta) {
+    using std::int64_t;
+    const int64_t unity = 1;
+    const int64_t versine = Formats::add_cos::law(unity, Formats::inv_cos::law(cos_delta), unity);
+    const int64_t drop = Formats::mul_n::law(Formats::part_n::law(n), versine);
+    const int64_t line = Formats::add_line::law(unity, Formats::inv_drop::law(drop), unity);
+    const int64_t root = Formats::quant_line::law(line);
+    int64_t power = Formats::first_square::law(root, root);
+    if constexpr (Formats::squarings == 3) power = Formats::next_square::law(power, power);
+    if constexpr (Formats::squarings > 1) power = Formats::last_square::law(power, power);
+    return power;
+  }
 
-template <class Formats, class Columns>
-void compute(const Columns& io) {
-  specular::shade_points<std::int64_t>(
-      [](std::uint16_t n, auto cos_delta)
-          __attribute__((always_inline)) { return brdf<Formats>(n, static_cast<std::int64_t>(cos_delta)); },
-      io);
-}
+  template <class Use>
+  static auto in_formats(const selection& asked, Use use) {
+    return visit_format(asked.format(), [&]<class Q>() { return with_formats<Q>(asked, use); });
+  }
+};
 
-template <class Use>
-auto in_formats(const selection& asked, Use use) {
-  return visit_format(asked.format(), [&]<class Q>() { return with_formats<Q>(asked, use); });
-}
-
-class lyon final : public specular::device_of_points {
+class lyon final : public specular::device_of_lobe<law> {
  public:
   std::string name() const override { return "lyon"; }
   std::string title() const override { return "a power of a line in cos(delta), 0 beyond its root"; }
@@ -113,22 +107,6 @@ class lyon final : public specular::device_of_points {
       }
       return error;
     };
-  }
-
-  std::unique_ptr<engine> make_bit(const selection& asked) const override {
-    return in_formats(asked, []<class Formats>() {
-      return specular::make_kernel_engine<Formats>(
-          [](const specular::columns_of<Formats>& io) { compute<Formats>(io); });
-    });
-  }
-
-  word_lengths widths(const selection& asked) const override { return {{"cos", asked.fraction()}}; }
-
-  std::unique_ptr<engine> make_bit(const selection& asked, const word_lengths& bits) const override {
-    specular::check_only_cosine(asked, bits);
-    return in_formats(asked, []<class Formats>() {
-      return specular::make_free_engine([](const specular::free_columns& io) { compute<Formats>(io); });
-    });
   }
 };
 

@@ -6,8 +6,7 @@
 #include <string>
 
 #include "rtl_sysc/devices/table/formats.h"
-#include "tb/specular/point_engines.h"
-#include "tb/specular/specular.h"
+#include "tb/specular/lobe.h"
 #include "tb/visit_format.h"
 
 namespace blysk::table_device {
@@ -54,39 +53,35 @@ struct shape {
   int cos_bits, word_bits, place_bits, segment_bits, log_bits;
 };
 
-template <class Use>
-auto in_formats(const selection& asked, Use use) {
-  return visit_format(asked.format(), [&]<class Q>() { return use.template operator()<table_formats<Q>>(); });
-}
+/// The arithmetic, in the formats of what is asked for.
+struct law {
+  /// From registers 1 and 2 to the BRDF.
+  /// \param n          code of register 1
+  /// \param cos_delta  raw, 0..2^F; beyond, the result is unspecified
+  /// \return           BRDF, raw
+  template <class Formats>
+  [[gnu::always_inline]] static std::int64_t brdf(std::int64_t n, std::int64_t cos_delta) {
+    using std::int64_t;
+    const int64_t unity = 1;
+    const int64_t grounded = 0;
+    const int64_t versine = Formats::sub_cos::law(cos_delta);
+    const int64_t factor = Formats::add_factor::law(unity, Formats::halve_versine::law(versine), grounded);
+    const int64_t power_log = Formats::mul_n::law(n, Formats::mul_log::law(versine, factor));
+    const int64_t limited = Formats::quant_log::law(power_log);
+    const int64_t index = Formats::cut_index::law(limited);
+    const int64_t change =
+        Formats::mul_place::law(Formats::rom_change::law(1, index), Formats::cut_place::law(limited));
+    return Formats::quant::law(Formats::add_line::law(Formats::rom_begin::law(0, index), change, grounded));
+  }
 
-/// From registers 1 and 2 to the BRDF.
-/// \param n          code of register 1
-/// \param cos_delta  raw, 0..2^F; beyond, the result is unspecified
-/// \return           BRDF, raw
-template <class Formats>
-[[gnu::always_inline]] inline std::int64_t brdf(std::int64_t n, std::int64_t cos_delta) {
-  using std::int64_t;
-  const int64_t unity = 1;
-  const int64_t grounded = 0;
-  const int64_t versine = Formats::sub_cos::law(cos_delta);
-  const int64_t factor = Formats::add_factor::law(unity, Formats::halve_versine::law(versine), grounded);
-  const int64_t power_log = Formats::mul_n::law(n, Formats::mul_log::law(versine, factor));
-  const int64_t limited = Formats::quant_log::law(power_log);
-  const int64_t index = Formats::cut_index::law(limited);
-  const int64_t change =
-      Formats::mul_place::law(Formats::rom_change::law(1, index), Formats::cut_place::law(limited));
-  return Formats::quant::law(Formats::add_line::law(Formats::rom_begin::law(0, index), change, grounded));
-}
+  template <class Use>
+  static auto in_formats(const selection& asked, Use use) {
+    return visit_format(asked.format(),
+                        [&]<class Q>() { return use.template operator()<table_formats<Q>>(); });
+  }
+};
 
-template <class Formats, class Columns>
-void compute(const Columns& io) {
-  specular::shade_points<std::int64_t>(
-      [](std::uint16_t n, auto cos_delta)
-          __attribute__((always_inline)) { return brdf<Formats>(n, static_cast<std::int64_t>(cos_delta)); },
-      io);
-}
-
-class table final : public specular::device_of_points {
+class table final : public specular::device_of_lobe<law> {
  public:
   std::string name() const override { return "table"; }
   std::string title() const override { return "256 lines of e^-t, t nearly -n ln(cos(delta))"; }
@@ -98,7 +93,7 @@ class table final : public specular::device_of_points {
   std::string words(const selection&) const override { return "a memory of 256 lines"; }
 
   std::int64_t rom_bits(const selection& asked) const override {
-    return in_formats(asked, []<class Formats>() {
+    return law::in_formats(asked, []<class Formats>() {
       return (Formats::index::max + 1) * std::int64_t{Formats::begin::width + Formats::change::width};
     });
   }
@@ -118,7 +113,7 @@ class table final : public specular::device_of_points {
 
   /// The bound of docs/devices/table.md.
   std::function<double(double, double)> bound(const selection& asked) const override {
-    const shape of = in_formats(asked, []<class Formats>() {
+    const shape of = law::in_formats(asked, []<class Formats>() {
       return shape{.cos_bits = Formats::cos_bits,
                    .word_bits = Formats::word_bits,
                    .place_bits = Formats::place_bits,
@@ -135,22 +130,6 @@ class table final : public specular::device_of_points {
       if (std::fabs(t - kEnd) < 16 * kEnd * own) own += std::exp(-kEnd);
       return std::fabs(line(t) - decay(t)) + moved + ulp(of.word_bits + 1) + ulp(of.cos_bits + 1) + own;
     };
-  }
-
-  std::unique_ptr<engine> make_bit(const selection& asked) const override {
-    return in_formats(asked, []<class Formats>() {
-      return specular::make_kernel_engine<Formats>(
-          [](const specular::columns_of<Formats>& io) { compute<Formats>(io); });
-    });
-  }
-
-  word_lengths widths(const selection& asked) const override { return {{"cos", asked.fraction()}}; }
-
-  std::unique_ptr<engine> make_bit(const selection& asked, const word_lengths& bits) const override {
-    specular::check_only_cosine(asked, bits);
-    return in_formats(asked, []<class Formats>() {
-      return specular::make_free_engine([](const specular::free_columns& io) { compute<Formats>(io); });
-    });
   }
 };
 
