@@ -47,7 +47,7 @@ struct lighting_channel_base : sc_core::sc_module {
   net<typename Formats::term> SC_NAMED(ambient_term);
   net<typename Formats::term> SC_NAMED(diffuse_term);
   net<typename Formats::highlight> SC_NAMED(specular_term);
-  net<typename Formats::level> SC_NAMED(before);
+  net<typename Formats::level> SC_NAMED(sum_before);
   net<typename Formats::lit> SC_NAMED(lit);
   net<typename Formats::sum> SC_NAMED(sum);
   net<typename Formats::level> SC_NAMED(level);
@@ -56,8 +56,8 @@ struct lighting_channel_base : sc_core::sc_module {
     // clang-format off
     ambient.a_i(ambient_i);                                                             ambient.y_o(ambient_term);
     diffuse.a_i(diffuse_i);     diffuse.b_i(nl_i);                                      diffuse.p_o(diffuse_term);
-    base.a_i(sum_o);            base.b_i(ambient_term);   base.select_b_i(first_i);     base.y_o(before);
-    add_diffuse.a_i(before);    add_diffuse.b_i(diffuse_term);    add_diffuse.carry_i(ground_i);   add_diffuse.s_o(lit);
+    base.a_i(sum_o);            base.b_i(ambient_term);   base.select_b_i(first_i);     base.y_o(sum_before);
+    add_diffuse.a_i(sum_before);add_diffuse.b_i(diffuse_term);    add_diffuse.carry_i(ground_i);   add_diffuse.s_o(lit);
     add_specular.a_i(lit);      add_specular.b_i(specular_term);  add_specular.carry_i(ground_i);  add_specular.s_o(sum);
     saturate.a_i(sum);                                                                  saturate.y_o(level);
     accumulator.clk(clk);       accumulator.rst_n(rst_n);
@@ -74,7 +74,7 @@ struct lighting_channel_base : sc_core::sc_module {
 };
 
 /// The same with the specular term as it comes.
-template <class Formats, bool HasEnergy = Formats::has_energy>
+template <class Formats>
 struct lighting_channel : lighting_channel_base<Formats> {
   explicit lighting_channel(const sc_core::sc_module_name& name) : lighting_channel_base<Formats>(name) {
     this->specular.y_o(this->specular_term);
@@ -83,7 +83,7 @@ struct lighting_channel : lighting_channel_base<Formats> {
 
 /// The same with an energy factor that multiplies it.
 template <class Formats>
-struct lighting_channel<Formats, true> : lighting_channel_base<Formats> {
+requires(Formats::has_energy) struct lighting_channel<Formats> : lighting_channel_base<Formats> {
   typename lighting_channel_base<Formats>::template in<typename Formats::factor> SC_NAMED(energy_i);
 
   explicit lighting_channel(const sc_core::sc_module_name& name) : lighting_channel_base<Formats>(name) {
@@ -215,14 +215,14 @@ struct lighting_base : sc_core::sc_module {
 };
 
 /// The same as a device.
-template <class Formats, bool HasEnergy = Formats::has_energy>
+template <class Formats>
 struct lighting : lighting_base<Formats> {
   explicit lighting(const sc_core::sc_module_name& name) : lighting_base<Formats>(name) {}
 };
 
 /// The same with an energy factor, which multiplies the specular terms of a light.
 template <class Formats>
-struct lighting<Formats, true> : lighting_base<Formats> {
+requires(Formats::has_energy) struct lighting<Formats> : lighting_base<Formats> {
   typename lighting_base<Formats>::template in<typename Formats::factor> SC_NAMED(energy_i);
 
   explicit lighting(const sc_core::sc_module_name& name) : lighting_base<Formats>(name) {

@@ -117,7 +117,7 @@ TEST_CASE("a sum is saturated once for each light, which is as good as once at t
         CAPTURE(format, i, channel);
         REQUIRE(out[channel].get(i) == expected);
         REQUIRE(out[3 + channel].get(i) == nearest(expected, 16));
-        saturated += expected < sums[channel] ? 1 : 0;
+        saturated += expected < sums[channel] ? 1U : 0U;
       }
     }
     CHECK(saturated > lights.size() / 10);
