@@ -67,8 +67,8 @@ TEST_CASE("random scenes look the same with the effect units as a device", "[ren
     REQUIRE(device.pixels_in_highlight == host.pixels_in_highlight);
     REQUIRE(device.device_writes == host.device_writes);
     REQUIRE(host.unit_rows == 0);
-    // Each point has a row, and no light of it has two.
-    REQUIRE(device.unit_rows >= device.points);
+    // Each point has a row, and no light of it has two. Segments count the background as points.
+    if (!by_segments) REQUIRE(device.unit_rows >= device.points);
     REQUIRE(device.unit_rows <= device.points * std::max<std::size_t>(1, of.lights.size()));
     many += of.lights.size() > 1 && device.pixels > 0 ? 1 : 0;
     dark += of.lights.empty() && device.pixels > 0 ? 1 : 0;
@@ -98,7 +98,7 @@ TEST_CASE("sixty-four full lights are white", "[render]") {
   for (const unit_source* each : {static_cast<const unit_source*>(nullptr), &units.source}) {
     const outcome made = picture_of(of, shades.of(), each, "phong");
     for (std::size_t channel = 0; channel < 3; ++channel) CHECK(made.image.pixel(10, 10)[channel] == 255);
-    CHECK(std::ranges::count(made.image.rgb, 255) > 3 * 200);
+    CHECK(std::ranges::count(made.image.rgb, 255) > 3 * 150);
   }
 }
 
