@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 
 #include "rtl_sysc/devices/rational/formats.h"
 #include "tb/catch.h"
@@ -45,18 +46,37 @@ std::array<real50, 2> solved(int n) {
   return {r, s - r};
 }
 
-/// How far the formula lies from c^n at most where c^n is `level` or more, at 4001 cosines down to where c^n is 1e-6.
-double distance(const std::string& fit, double n, double level) {
+using formula = std::function<double(double n, double c)>;
+
+formula formula_of(const std::string& fit) {
   const selection asked = choose("rational", "q8", {{"fit", fit}});
-  const auto lobe = points_of(asked).formula(asked);
+  return points_of(asked).formula(asked);
+}
+
+/// (c - k m)/(1 + b m), m = (n - 1)(1 - c), 0 beyond its root: c itself at n = 1.
+formula through_one(double k, double b) {
+  return [k, b](double n, double c) {
+    const double m = (n - 1) * (1 - c);
+    return std::max(0.0, c - k * m) / (1 + b * m);
+  };
+}
+
+/// How far a lobe is from c^n at most where c^n is `level` or more, at 2001 cosines down to where c^n is 1e-6.
+double distance(const formula& lobe, double n, double level = 0) {
   const double lowest = n < 8 ? 0 : std::pow(1e-6, 1 / n);
   double largest = 0;
-  for (int i = 0; i <= 4000; ++i) {
-    const double c = 1 - (1 - lowest) * i / 4000;
+  for (int i = 0; i <= 2000; ++i) {
+    const double c = 1 - (1 - lowest) * i / 2000;
     const double power = std::pow(c, n);
     if (power < level) break;
     largest = std::max(largest, std::fabs(lobe(n, c) - power));
   }
+  return largest;
+}
+
+double distance_for_all(const formula& lobe, double level = 0) {
+  double largest = 0;
+  for (int n = 1; n <= 1000; ++n) largest = std::max(largest, distance(lobe, n, level));
   return largest;
 }
 
@@ -110,24 +130,46 @@ TEST_CASE("the formulas at points where hand arithmetic gives them", "[formula]"
   }
 }
 
-TEST_CASE("the distances from cos^n that the page tells", "[distance]") {
-  double best = 0;
-  double line = 0;
-  for (int n = 1; n <= 1000; ++n) {
-    best = std::max(best, distance("best", n, 0));
-    line = std::max(line, distance("line", n, 0));
+TEST_CASE("the distances from cos^n that docs/devices/rational.md tells", "[distance]") {
+  struct row {
+    formula lobe;
+    double n1, n2, n10, n100, n1000, all;
+  };
+  const double k = 0.270491;
+  const double b = 0.944172;
+  const formula asymptote = [=](double n, double c) {
+    const double u = 1 - c;
+    return std::max(0.0, 1 - (k * n + 0.5) * u) / (1 + (b * n - 0.5) * u);
+  };
+  const row rows[] = {
+      {formula_of("best"), 0, 0.0205, 0.0244, 0.0248, 0.0248, 0.0248},
+      {asymptote, 0.1589, 0.0479, 0.0264, 0.0248, 0.0248, 0.1589},
+      {through_one(k, b), 0, 0.0453, 0.0346, 0.0256, 0.0248, 0.0453},
+      {through_one(0.5, 0.5), 0, 0.1110, 0.1342, 0.1353, 0.1353, 0.1353},
+      {through_one(0, 1), 0, 0.0902, 0.1787, 0.2011, 0.2034, 0.2034},
+      {formula_of("line"), 0, 0.0400, 0.0268, 0.0304, 0.0314, 0.0400},
+  };
+  const auto near = [](double value) { return Approx(value).margin(2e-4).epsilon(0); };
+  for (const row& each : rows) {
+    CHECK(distance(each.lobe, 1) == near(each.n1));
+    CHECK(distance(each.lobe, 2) == near(each.n2));
+    CHECK(distance(each.lobe, 10) == near(each.n10));
+    CHECK(distance(each.lobe, 100) == near(each.n100));
+    CHECK(distance(each.lobe, 1000) == near(each.n1000));
+    CHECK(distance_for_all(each.lobe) == near(each.all));
   }
-  CHECK(best == Approx(0.0248).margin(5e-5));
-  CHECK(line == Approx(0.0400).margin(5e-5));
-  CHECK(distance("line", 2, 0) == Approx(0.0400).margin(5e-5));
-  CHECK(distance("line", 10, 0) == Approx(0.0268).margin(5e-5));
-  CHECK(distance("line", 100, 0) == Approx(0.0304).margin(5e-5));
-  CHECK(distance("line", 1000, 0) == Approx(0.0314).margin(5e-5));
-  CHECK(distance("best", 2, 0) == Approx(0.0205).margin(5e-5));
-  CHECK(distance("best", 10, 0) == Approx(0.0244).margin(5e-5));
-  CHECK(distance("best", 100, 0) == Approx(0.0248).margin(5e-5));
-  CHECK(distance("best", 1000, 0) == Approx(0.0248).margin(5e-5));
-  for (const char* fit : {"best", "line"}) CHECK(distance(fit, 1, 0) < 1e-14);  // c itself
+  CHECK(distance_for_all(formula_of("best"), 0.56) == near(0.0248));
+  CHECK(distance_for_all(formula_of("line"), 0.56) == near(0.0293));
+}
+
+TEST_CASE("among powers of two k = 1/4 and b = 1 are the best", "[distance]") {
+  for (const double k : {1.0 / 16, 1.0 / 8, 1.0 / 4, 1.0 / 2}) {
+    for (const double b : {1.0 / 4, 1.0 / 2, 1.0, 2.0}) {
+      if (k == 0.25 && b == 1) continue;
+      CAPTURE(k, b);
+      CHECK(distance(through_one(k, b), 1000) > 2 * 0.0400);
+    }
+  }
 }
 
 TEST_CASE("the peak is 1 for every n, and beyond the root the lobe is 0", "[ends]") {
