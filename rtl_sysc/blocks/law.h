@@ -74,6 +74,12 @@ constexpr T move_up(T x, int shift) {
   return static_cast<T>(x << shift);
 }
 
+/// x with `to` fraction bits in place of `from`: exact if they are no fewer, else rounded as by round_off().
+template <class T>
+constexpr T rescale(T x, int from, int to, bool with_headroom = true) {
+  return to >= from ? move_up(x, to - from) : round_off(x, from - to, with_headroom);
+}
+
 /// Ones' complement of a, moved up to the fraction bits of the result: -a - 1 ulp.
 template <class T>
 constexpr T ones_complement(T a, int shift) {

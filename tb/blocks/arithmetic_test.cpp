@@ -16,6 +16,7 @@
 #include "rtl_sysc/blocks/mul.h"
 #include "rtl_sysc/blocks/normalise.h"
 #include "rtl_sysc/blocks/quantise.h"
+#include "rtl_sysc/blocks/rescale.h"
 #include "rtl_sysc/blocks/shift_right.h"
 #include "rtl_sysc/blocks/sign.h"
 #include "tb/catch.h"
@@ -216,6 +217,34 @@ TEST_CASE("quantise rounds to nearest and clamps to [0, 1] for all operands", "[
     settle();
     CAPTURE(x);
     REQUIRE(clamping_only.y.read().to_int64() == (x < 0 ? 0 : x > 16 ? 16 : x));
+  }
+}
+
+template <class A, class Y>
+struct rescale_bench {
+  explicit rescale_bench(const char* name) : block(name) { block.a_i(a), block.y_o(y); }
+  rescale<A, Y> block;
+  wire<A> a;
+  wire<Y> y;
+};
+
+rescale_bench<sq<4, 4>, sq<4, 8>> finer("finer");
+rescale_bench<sq<4, 8>, sq<5, 4>> coarser("coarser");
+
+TEST_CASE("rescale is exact or rounds to nearest for all operands", "[unit][rescale]") {
+  for (std::int64_t x = sq<4, 8>::min; x <= sq<4, 8>::max; ++x) {
+    coarser.a.write(x);
+    settle();
+    CAPTURE(x);
+    const std::int64_t nearest = rounded<sq<5, 4>>(real<sq<4, 8>>(x));
+    REQUIRE(coarser.y.read().to_int64() == nearest);
+  }
+  for (std::int64_t x = sq<4, 4>::min; x <= sq<4, 4>::max; ++x) {
+    finer.a.write(x);
+    settle();
+    CAPTURE(x);
+    const double same = real<sq<4, 8>>(finer.y.read().to_int64());
+    REQUIRE(same == real<sq<4, 4>>(x));
   }
 }
 

@@ -73,6 +73,19 @@ TEST_CASE("has_headroom and rounds_within say where rounding overflows 64 bits",
   CHECK_FALSE(law::rounds_within(8, -1));
 }
 
+TEST_CASE("rescale is exact upwards and rounds downwards", "[law]") {
+  for (int from = 0; from <= 12; ++from) {
+    for (int to = 0; to <= 12; ++to) {
+      for (int x = -600; x <= 600; ++x) {
+        CAPTURE(from, to, x);
+        const wide expected = to >= from ? wide{x} * (1 << (to - from)) : rounded(x, from - to);
+        REQUIRE(law::rescale<std::int64_t>(x, from, to) == static_cast<std::int64_t>(expected));
+        REQUIRE(law::rescale<std::int64_t>(x, from, to, false) == static_cast<std::int64_t>(expected));
+      }
+    }
+  }
+}
+
 TEST_CASE("mul drops what it is told, whatever the integer", "[law]") {
   for (int dropped = 0; dropped <= 8; ++dropped) {
     for (int a = -40; a <= 40; ++a) {

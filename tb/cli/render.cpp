@@ -34,8 +34,9 @@ namespace {
 
 struct options {
   asked_device device;
-  std::string scene, output, report, vcd, compare;
+  std::string scene, output, report, vcd, compare, units_vcd;
   std::string engine = "bit";
+  std::string units = "bit";
   std::string effects = "auto";
   std::string size = "512x512";
   std::string shading = "phong";
@@ -173,10 +174,63 @@ class job_engines {
   std::unique_ptr<harness::systemc_engine> systemc_;
 };
 
+/// The effect units in hardware, with a count of the cycles of their own runs: in SystemC their clock goes on while the device
+/// that makes the highlights runs.
+class unit_engine final : public engine {
+ public:
+  /// \param name  of the engine: systemc or verilator
+  unit_engine(const std::string& name, const selection& device)
+      : engine(columns(device.of().ports(device), port::role::result).layout()) {
+    if (name == "systemc") {
+      auto made = harness::make_systemc(device);
+      systemc_ = made.get();
+      through_ = std::move(made);
+    } else {
+      through_ = cosim::make_verilator(device);
+    }
+  }
+
+  harness::systemc_engine* systemc() { return systemc_; }
+  std::uint64_t cycles() const { return cycles_; }
+
+ private:
+  void compute(const columns& in, columns& out) override {
+    const std::uint64_t before = through_->cycles();
+    through_->run(in, out);
+    cycles_ += through_->cycles() - before;
+    // To the end of the cycle, where the other device begins.
+    if (systemc_ != nullptr) sc_core::sc_start(sc_core::sc_time(harness::kClockPeriodNs / 2, sc_core::SC_NS));
+  }
+
+  std::unique_ptr<clocked_engine> through_;
+  harness::systemc_engine* systemc_ = nullptr;
+  std::uint64_t cycles_ = 0;
+};
+
+/// What --units asks for; nothing where the host adds up the effects.
+class asked_units {
+ public:
+  asked_units(const options& asked, const selection& shades) {
+    if (asked.units == "bit") return;
+    const selection device = render::choose_effect_units(shades.format());
+    render::expect_fitting({device, nullptr, asked.units}, shades);
+    engine_ = std::make_unique<unit_engine>(asked.units, device);
+    source_ = render::unit_source{device, engine_.get(), asked.units};
+  }
+
+  const render::unit_source* source() const { return source_ ? &*source_ : nullptr; }
+  harness::systemc_engine* systemc() { return engine_->systemc(); }
+  std::uint64_t cycles() const { return engine_ ? engine_->cycles() : 0; }
+
+ private:
+  std::unique_ptr<unit_engine> engine_;
+  std::optional<render::unit_source> source_;
+};
+
 void list_modules(const std::vector<sc_core::sc_object*>& objects, std::vector<std::string>& to) {
   for (const sc_core::sc_object* each : objects) {
     if (dynamic_cast<const sc_core::sc_module*>(each) == nullptr) continue;
-    if (each->get_child_objects().empty() || std::string_view(each->name()) != "host")
+    if (each->get_child_objects().empty() || !std::string_view(each->name()).starts_with("host"))
       to.emplace_back(each->name());
     list_modules(each->get_child_objects(), to);
   }
@@ -193,11 +247,13 @@ bool takes_stdout(const options& asked) {
 }
 
 void check(const options& asked) {
-  expect_different_files({"--output", "--report", "--vcd", "--compare", "--film"},
-                         {asked.output, asked.report, asked.vcd, asked.compare, asked.film});
+  expect_different_files({"--output", "--report", "--vcd", "--units-vcd", "--compare", "--film"},
+                         {asked.output, asked.report, asked.vcd, asked.units_vcd, asked.compare, asked.film});
   if (asked.frames > 0 && !(asked.watch.empty() && asked.vcd.empty() && asked.compare.empty()))
     throw usage_error(
         "--animate goes with --output, --film and --report, expected no --watch, --vcd or --compare");
+  if (asked.frames > 0 && !asked.units_vcd.empty())
+    throw usage_error("--animate goes with --output, --film and --report, expected no --units-vcd");
   if (asked.frames == 0 && !asked.film.empty())
     throw usage_error("--film is made of frames, expected --animate N");
   if (!makes_files(asked) && !asked.explains)
@@ -206,6 +262,16 @@ void check(const options& asked) {
     throw usage_error(fmt::format(
         "--vcd records signals and engine {} has none, expected --watch or engine systemc", asked.engine));
   }
+  if (!asked.units_vcd.empty() && asked.units != "systemc")
+    throw usage_error(fmt::format(
+        "--units-vcd records signals in SystemC, and the effect units run in {}, expected --units "
+        "systemc",
+        asked.units));
+  if (asked.units != "bit" && asked.engine == "golden")
+    throw usage_error(
+        fmt::format("--units {} takes what hardware puts out, and engine golden has none, expected bit, "
+                    "systemc or verilator",
+                    asked.units));
   if (!asked.watch.empty() && asked.engine == "golden")
     throw usage_error(
         "--watch runs SystemC among other writes, expected an engine of the same numbers: bit, systemc, "
@@ -248,26 +314,27 @@ void set_size(const options& asked, render::job& job) {
 /// Opens the waves of what is watched, or of everything, and closes them when it is done.
 class waves {
  public:
-  waves(const std::string& path, job_engines& engines) : engines_(engines) {
+  /// \param of  makes the engine, or finds it
+  waves(const std::string& path, std::function<harness::systemc_engine*()> of) : of_(std::move(of)) {
     if (path.empty()) return;
     file_.emplace(path);
   }
   void start() {
     if (!file_) return;
-    engines_.systemc()->trace(file_->recorded_path());
+    of_()->trace(file_->recorded_path());
     is_running_ = true;
   }
   void stop() {
     if (!is_running_) return;
     is_running_ = false;
-    is_whole_ = engines_.systemc()->stop_trace();
+    is_whole_ = of_()->stop_trace();
   }
   void commit() {
     if (file_) file_->commit(is_whole_);
   }
 
  private:
-  job_engines& engines_;
+  std::function<harness::systemc_engine*()> of_;
   std::optional<waves_file> file_;
   bool is_running_ = false;
   bool is_whole_ = true;
@@ -369,7 +436,11 @@ void run(const CLI::App& verb, options asked) {
         return choice.serves == purpose::formula ? device.of().make_golden(device)
                                                  : device.of().make_bit(device);
       }};
-  render::job job{.of = &read.of, .shading = &render::find_shading(asked.shading), .device = &source};
+  asked_units units(asked, device);
+  render::job job{.of = &read.of,
+                  .shading = &render::find_shading(asked.shading),
+                  .device = &source,
+                  .units = units.source()};
   set_size(asked, job);
   if (asked.perspective != "corrected" && asked.perspective != "screen")
     throw usage_error(
@@ -390,9 +461,11 @@ void run(const CLI::App& verb, options asked) {
   job.threads = asked.threads;
   const auto watch = watch_of(asked, job);
   const auto around = [&] {
-    render::circumstances in{asked.scene, asked.engine,     asked.shading,
-                             device,      job.is_corrected, is_clocked ? 1 : job.threads};
-    in.cycles = engines.cycles();
+    render::circumstances in{asked.scene,      asked.engine,
+                             asked.shading,    device,
+                             job.is_corrected, is_clocked || job.units != nullptr ? 1 : job.threads};
+    in.unit_cycles = units.cycles();
+    in.cycles = engines.cycles() + in.unit_cycles;
     in.simulated_ns = static_cast<double>(in.cycles) * harness::kClockPeriodNs;
     in.delta_cycles = in.cycles > 0 ? sc_core::sc_delta_count() : 0;
     list_modules(sc_core::sc_get_top_level_objects(), in.blocks);
@@ -410,20 +483,28 @@ void run(const CLI::App& verb, options asked) {
     return;
   }
   result_files files(asked);
-  waves traced(asked.vcd, engines);
+  waves traced(asked.vcd, [&] { return engines.systemc(); });
+  waves traced_units(asked.units_vcd, [&] { return units.systemc(); });
   const bool needs_device = render::needs_device(read.of, job.asked);
   if (!needs_device && !asked.vcd.empty())
     throw usage_error("--vcd has nothing to record: the scene calls for no device, see --explain");
   if (needs_device) traced.start();
-  if (needs_device && !asked.watch.empty())
-    job.watch = render::watched{watch, engines.systemc(), [&] { traced.stop(); }};
+  traced_units.start();
+  if (!asked.watch.empty() && (needs_device || job.units != nullptr)) {
+    job.watch = render::watched{watch, needs_device ? engines.systemc() : nullptr, [&] {
+                                  traced.stop();
+                                  traced_units.stop();
+                                }};
+  }
   const std::chrono::duration<double> reading = std::chrono::steady_clock::now() - started;
   render::outcome made = render_shown(job, "shading");
   traced.stop();
+  traced_units.stop();
   made.host_s["reading"] = reading.count();
   const render::circumstances in = around();
   files.write(job, made, in);
   traced.commit();
+  traced_units.commit();
   files.commit();
   fmt::print(takes_stdout(asked) ? stderr : stdout, "{}", render::report_table(job, made, in));
 }
@@ -451,6 +532,12 @@ void add_render(CLI::App& program) {
   for (const engine_choice& each : engine_choices())
     engines += fmt::format("{}{}: {}", engines.empty() ? "" : "; ", each.name, each.help);
   verb->add_option("--engine", asked->engine, engines)->capture_default_str();
+  verb->add_option(
+          "--units", asked->units,
+          "what computes ambient and diffuse terms, their sum and saturation; bit: their laws on the "
+          "host; systemc, verilator: a device for them, the same picture")
+      ->check(CLI::IsMember({"bit", "systemc", "verilator"}))
+      ->capture_default_str();
   verb->add_option("--effects", asked->effects,
                    "auto: what the scene calls for; all: every effect for every point")
       ->check(CLI::IsMember({"auto", "all"}))
@@ -498,6 +585,8 @@ void add_render(CLI::App& program) {
                    "X,Y or X,Y,WIDTH,HEIGHT, or highlight, the row through the brightest one: the writes of "
                    "these pixels go through SystemC, before all others");
   verb->add_option("--vcd", asked->vcd, "record the waves of what is watched, or of engine systemc");
+  verb->add_option("--units-vcd", asked->units_vcd,
+                   "record the waves of --units systemc, of what is watched, or of all points");
   verb->add_option("--light", asked->lights,
                    "X,Y,Z[,R,G,B]: light from that direction; @X,Y,Z[,R,G,B]: at that place; may be repeated")
       ->take_all()

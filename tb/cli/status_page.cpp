@@ -70,10 +70,10 @@ std::string proofs_text(const facts& known) {
   const auto has = [&](const char* property) {
     return std::ranges::find(known.proved, property) != known.proved.end();
   };
-  return has("wiring")  ? "registers only delay"
-         : has("brdf")  ? "all of it"
-         : has("range") ? "all but the BRDF"
-                        : "-";
+  return has("wiring")                 ? "registers only delay"
+         : has("brdf") || has("equal") ? "all of it"
+         : has("range")                ? "all but the BRDF"
+                                       : "-";
 }
 
 std::string line_of(const std::string& tables, const selection& asked, const facts& known,

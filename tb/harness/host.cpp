@@ -248,11 +248,14 @@ std::unique_ptr<host> make_host(const netlist::elaborated& device, double clock_
                                 row_watcher watcher) {
   std::vector<port> ports;
   for (const auto& each : device.ports()) ports.push_back(each->what);
+  // A second device of the process has a host of its own.
+  const char* const name =
+      sc_core::sc_find_object("host") == nullptr ? "host" : sc_core::sc_gen_unique_name("host");
   switch (protocol_of(ports)) {
     case protocol::strobes:
-      return std::make_unique<strobe_host>("host", device, clock_period_ns, std::move(watcher));
+      return std::make_unique<strobe_host>(name, device, clock_period_ns, std::move(watcher));
     case protocol::handshake:
-      return std::make_unique<handshake_host>("host", device, clock_period_ns);
+      return std::make_unique<handshake_host>(name, device, clock_period_ns);
     case protocol::none:
       break;
   }

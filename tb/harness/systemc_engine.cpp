@@ -62,7 +62,8 @@ class engine_of_host : public Interface {
     }
     record(*device_, file_);
     values_ = std::make_unique<value_recorder>(
-        "values", *device_, wave_values(asked_.of().ports(asked_), asked_.of().make_golden(asked_)), file_);
+        sc_core::sc_find_object("values") == nullptr ? "values" : sc_core::sc_gen_unique_name("values"),
+        *device_, wave_values(asked_.of().ports(asked_), asked_.of().make_golden(asked_)), file_);
   }
 
   bool stop_trace() override {

@@ -20,7 +20,9 @@ inline constexpr double kClockPeriodNs = 10;
 /// Every write takes two clock cycles, and as many more as the device says that it needs to settle: strobes change with the
 /// falling edges of clk, the strobe that writes by its trailing edge goes up and down again, the others go up as it goes
 /// down if their value changes. The monitor reads the results at the next leading edge of the valid port.
-/// SystemC elaborates once: a process makes one engine and makes it before it runs any.
+/// SystemC elaborates once: a process makes one engine, or one of each of several devices, before it runs any. Their clocks go
+/// on together, whichever runs. A device with `start` ends its run at a falling edge of the clock: half a period has to pass
+/// before another device runs.
 /// SystemC does not say when a disk is full: the end of the record is looked for in its file.
 class systemc_engine : public recorded_engine {
  public:

@@ -30,11 +30,15 @@ device_ports::device_ports(const selection& asked) : ports_(asked.of().ports(ask
     is_complete = is_complete && at < results.size();
     if (!is_complete) break;
     result_column_[channel] = at;
-    result_fraction_[channel] = results[at].carries->frac;
+    result_format_[channel] = *results[at].carries;
   }
   if (!is_complete) {
     throw std::invalid_argument(fmt::format(
         "device {} does not shade a point, expected one of the stimulus {}", asked.of().name(), kColumns));
+  }
+  if (result_format_[0].integer > kTermIntegerBits) {
+    throw std::invalid_argument(fmt::format("device {} puts out {} integer bits, expected at most {}",
+                                            asked.of().name(), result_format_[0].integer, kTermIntegerBits));
   }
   cos_fraction_ = of_role(ports_, port::role::data)[kCos].carries->frac;
 }
@@ -46,10 +50,10 @@ void device_ports::set(columns& writes, std::size_t row, int n, std::int64_t cos
   for (std::size_t channel = 0; channel < 3; ++channel) writes[kRed + channel].set(row, colour[channel]);
 }
 
-std::int32_t device_ports::term(const columns& results, std::size_t row, std::size_t channel) const {
+std::int64_t device_ports::term(const columns& results, std::size_t row, std::size_t channel) const {
   const column& of = results[result_column_[channel]];
   if (of.kind() == storage::f64) return specular_term(of.real(row));
-  return specular_term(of.get(row), result_fraction_[channel]);
+  return specular_term(of.get(row), result_format_[channel].frac);
 }
 
 bool device_ports::is_dark(const columns& results, std::size_t row) const {

@@ -25,8 +25,16 @@ class device_ports {
   void set(columns& writes, std::size_t row, int n, std::int64_t cosine,
            const std::array<std::uint8_t, 3>& colour) const;
 
-  /// Specular term of a channel, SQ15.16.
-  std::int32_t term(const columns& results, std::size_t row, std::size_t channel) const;
+  /// Specular term of a channel, 16 fraction bits.
+  std::int64_t term(const columns& results, std::size_t row, std::size_t channel) const;
+
+  /// The code of a channel's output, of a device that computes on integers.
+  std::int64_t code(const columns& results, std::size_t row, std::size_t channel) const {
+    return results[result_column_[channel]].get(row);
+  }
+
+  /// What a channel's output can carry.
+  const wire_format& result_format(std::size_t channel) const { return result_format_[channel]; }
 
   /// Whether red, green and blue are all 0.
   bool is_dark(const columns& results, std::size_t row) const;
@@ -35,7 +43,7 @@ class device_ports {
   std::vector<port> ports_;
   int cos_fraction_ = 0;
   std::array<std::size_t, 3> result_column_{};
-  std::array<int, 3> result_fraction_{};
+  std::array<wire_format, 3> result_format_{};
 };
 
 /// Where the lobe of a device begins.

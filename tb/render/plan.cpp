@@ -102,7 +102,7 @@ plan make_plan(const scene::world& of, effects asked, lobe_table* table, int cos
   bool has_diffuse = false;
   for (std::size_t i = 0; i < used.size(); ++i) {
     const scene::material& material = of.surface.materials[i];
-    sum_rgb& ambient = made.ambient.emplace_back();
+    coefficient_rgb& ambient = made.ambient.emplace_back();
     for (std::size_t channel = 0; channel < 3; ++channel)
       ambient[channel] =
           coefficient_code(material.emitted[channel] + of.ambient[channel] * material.ka[channel]);

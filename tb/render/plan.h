@@ -21,7 +21,7 @@ enum class effects {
 
 /// What one light does on one material.
 struct light_plan {
-  sum_rgb diffuse{};                       ///< I_l k_d, UQ8.8
+  coefficient_rgb diffuse{};               ///< I_l k_d, UQ8.8
   std::array<std::uint8_t, 3> specular{};  ///< I_l k_s, 0..255: the colour ports
   int n = 1;
   std::int64_t lobe_begin = 0;  ///< smallest code of cos that adds anything
@@ -39,11 +39,11 @@ using light_set = std::uint64_t;
 struct plan {
   effects asked = effects::automatic;
   std::size_t lights = 0;
-  bool checks_triangles = false;      ///< by the inner specular check
-  std::vector<sum_rgb> ambient;       ///< of each material, UQ8.8
-  std::vector<light_plan> of_lights;  ///< material by material, a light after the other
-  std::vector<std::string> units;     ///< that are built
-  std::vector<std::string> reasons;   ///< a line for each unit, and for each that is left out
+  bool checks_triangles = false;         ///< by the inner specular check
+  std::vector<coefficient_rgb> ambient;  ///< of each material, UQ8.8
+  std::vector<light_plan> of_lights;     ///< material by material, a light after the other
+  std::vector<std::string> units;        ///< that are built
+  std::vector<std::string> reasons;      ///< a line for each unit, and for each that is left out
 
   const light_plan& at(std::uint32_t material, std::size_t light) const {
     return of_lights[material * lights + light];

@@ -62,6 +62,7 @@ class frame {
     });
     sums_.resize(points_->size());
     in_highlight_.resize(points_->size());
+    if (job_.units != nullptr) channels_.resize(points_->size());
     if (job_.by_segments) {
       shade_segments();
     } else {
@@ -95,7 +96,8 @@ class frame {
   }
 
   shader make_shader(engine* device) {
-    return {lights_, view_.eye(), made_.planned, ports_, device, {sums_, in_highlight_}};
+    return {
+        lights_, view_.eye(), made_.planned, ports_, device, job_.units, {sums_, channels_, in_highlight_}};
   }
 
   void add(shader& to, std::size_t index, point_source::cursor& near) const {
@@ -111,18 +113,36 @@ class frame {
     }
   }
 
+  /// One where an engine has a clock or keeps what it has added.
+  unsigned shading_threads() const {
+    return job_.device->is_clocked || job_.units != nullptr ? 1 : job_.threads;
+  }
+
+  /// What a shader has cost.
+  void add_costs(const shader& of, unsigned threads) {
+    made_.device_writes += of.writes();
+    made_.unit_rows += of.unit_rows();
+    made_.host_s["device"] += of.device_s() / threads;
+    if (job_.units != nullptr) made_.host_s["units"] += of.units_s();
+  }
+
+  /// The time of shading without that of the engines.
+  void split_times(double shading_s) {
+    made_.host_s["shading"] = shading_s - made_.host_s["device"];
+    if (job_.units != nullptr) made_.host_s["shading"] -= made_.host_s["units"];
+  }
+
   void shade() {
     double shading_s = 0;
-    double device_s = 0;
     {
       const stopwatch measured(shading_s);
       if (made_.planned.checks_triangles) {
         dark_ = find_dark_lights(world_.surface, view_, seen_, lights_, made_.planned, job_.is_corrected,
                                  job_.threads);
       }
-      const std::vector<std::uint8_t> is_watched = shade_watched(device_s);
+      const std::vector<std::uint8_t> is_watched = shade_watched();
       const bool has_device = made_.planned.has_specular();
-      const unsigned threads = job_.device->is_clocked ? 1 : job_.threads;
+      const unsigned threads = shading_threads();
       std::vector<shader> shaders;
       for (unsigned i = 0; i < threads; ++i)
         shaders.push_back(make_shader(has_device ? job_.device->engine_of(i) : nullptr));
@@ -141,17 +161,15 @@ class frame {
           });
       for (shader& each : shaders) {
         each.flush();
-        made_.device_writes += each.writes();
-        device_s += each.device_s() / threads;
+        add_costs(each, threads);
       }
     }
-    made_.host_s["device"] = device_s;
-    made_.host_s["shading"] = shading_s - device_s;
+    split_times(shading_s);
   }
 
   /// [T] 2.6: rays where the segments of the rows ask for them.
   void shade_segments() {
-    const unsigned threads = job_.device->is_clocked ? 1 : job_.threads;
+    const unsigned threads = shading_threads();
     std::vector<shader> shaders;
     for (unsigned i = 0; i < threads; ++i)
       shaders.push_back(make_shader(made_.planned.has_specular() ? job_.device->engine_of(i) : nullptr));
@@ -173,12 +191,8 @@ class frame {
       });
     };
     made_.by_segments = fill_by_segments(made_.image, *job_.by_segments, trace);
-    made_.host_s["device"] = 0;
-    for (shader& each : shaders) {
-      made_.device_writes += each.writes();
-      made_.host_s["device"] += each.device_s() / threads;
-    }
-    made_.host_s["shading"] -= made_.host_s["device"];
+    for (const shader& each : shaders) add_costs(each, threads);
+    split_times(made_.host_s["shading"]);
     made_.points = made_.by_segments->traced;
     // The picture is judged pixel by pixel.
     timed("reference",
@@ -188,8 +202,8 @@ class frame {
   void resolve_traced(std::uint32_t pixel) {
     std::uint8_t* const colour = made_.image.rgb.data() + 3 * std::size_t{pixel};
     for (std::size_t channel = 0; channel < 3; ++channel) {
-      colour[channel] = seen_.triangle[pixel] == kNoTriangle ? background(channel)
-                                                             : channel_of(saturated(sums_[pixel][channel]));
+      colour[channel] =
+          seen_.triangle[pixel] == kNoTriangle ? background(channel) : channel_of_point(pixel, channel);
     }
   }
 
@@ -198,7 +212,7 @@ class frame {
   }
 
   /// \return  1 for the points that are done; empty if none is watched
-  std::vector<std::uint8_t> shade_watched(double& device_s) {
+  std::vector<std::uint8_t> shade_watched() {
     if (!job_.watch) return {};
     std::vector<std::uint8_t> is_watched(points_->size(), 0);
     point_source::cursor near;
@@ -221,8 +235,7 @@ class frame {
     for (const std::uint32_t each : order) add(through, each, near);
     through.flush();
     made_.watched_writes = through.writes();
-    made_.device_writes += through.writes();
-    device_s += through.device_s();
+    add_costs(through, 1);
     if (job_.watch->done) job_.watch->done();
     return is_watched;
   }
@@ -288,11 +301,16 @@ class frame {
     });
   }
 
+  std::uint8_t channel_of_point(std::size_t point, std::size_t channel) const {
+    return channels_.empty() ? channel_of(saturated(sums_[point][channel])) : channels_[point][channel];
+  }
+
   std::uint8_t mixed(const mixture& of, std::size_t channel) const {
-    if (of.count == 1) return channel_of(saturated(sums_[of.point[0]][channel]));
+    if (of.count == 1) return channel_of_point(of.point[0], channel);
     double sum = 0;
-    for (std::size_t k = 0; k < of.count; ++k) sum += of.weight[k] * saturated(sums_[of.point[k]][channel]);
-    return channel_of(saturated(static_cast<std::int32_t>(std::lround(sum))));
+    for (std::size_t k = 0; k < of.count; ++k)
+      sum += of.weight[k] * static_cast<double>(saturated(sums_[of.point[k]][channel]));
+    return channel_of(saturated(std::llround(sum)));
   }
 
   void count() {
@@ -334,6 +352,7 @@ class frame {
   std::unique_ptr<point_source> points_;
   std::vector<light_set> dark_;  // of each triangle, by the inner specular check; empty without it
   std::vector<sum_rgb> sums_;
+  std::vector<channel_rgb> channels_;  // by the effect units; empty without them
   std::vector<std::uint8_t> in_highlight_;
   std::vector<real_rgb> real_;
 };
@@ -343,6 +362,7 @@ class frame {
 plan plan_of(const job& asked) {
   const selection& device = asked.device->device;
   const device_ports ports(device);
+  if (asked.units != nullptr) expect_fitting(*asked.units, device);
   std::unique_ptr<engine> law;
   std::optional<lobe_table> table;
   if (needs_device(*asked.of, asked.asked)) {
@@ -351,6 +371,10 @@ plan plan_of(const job& asked) {
   }
   plan made =
       make_plan(*asked.of, asked.asked, table ? &*table : nullptr, ports.cos_fraction(), device.top_name());
+  if (asked.units != nullptr) {
+    made.reasons.push_back(fmt::format("ambient, diffuse, the sum and saturation run in {}, engine {}",
+                                       asked.units->device.top_name(), asked.units->name));
+  }
   if (!made.has_specular() || asked.asked == effects::all) return made;
   made.checks_triangles = asked.checks_triangles && asked.shading->is_by_pixel && !asked.by_segments;
   const std::string_view why =

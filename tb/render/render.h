@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "tb/device.h"
+#include "tb/render/effect_units.h"
 #include "tb/render/picture.h"
 #include "tb/render/plan.h"
 #include "tb/render/points.h"
@@ -35,8 +36,8 @@ struct device_source {
 /// The writes of some pixels, through an engine of their own and before all others.
 struct watched {
   std::optional<rectangle>
-      pixels;  ///< none: of the row through the brightest highlight, three eighths of its width
-  engine* through;
+      pixels;       ///< none: of the row through the brightest highlight, three eighths of its width
+  engine* through;  ///< null if no device is needed
   std::function<void()> done;  ///< called when they have run
 };
 
@@ -49,6 +50,7 @@ struct job {
   bool checks_triangles = true;  ///< the inner specular check, if effects are automatic
   unsigned threads = 1;
   const device_source* device;
+  const unit_source* units = nullptr;  ///< of the effects; null: their laws on the host
   std::optional<watched> watch = {};
   std::optional<segments> by_segments = {};  ///< rays at the ends of segments in place of a z-buffer
   std::function<void(std::size_t done, std::size_t total)> progress =
@@ -70,6 +72,7 @@ struct outcome {
   std::size_t tests_left_out = 0;  ///< by it: pixels times lights with a highlight
   std::uint64_t device_writes = 0;
   std::uint64_t watched_writes = 0;  ///< of these, those of watched pixels
+  std::uint64_t unit_rows = 0;       ///< lights that the effect units have added; 0 where the host does
   std::optional<segment_counts> by_segments = {};
   std::map<std::string, double> host_s = {};  ///< by phase
 };
@@ -77,7 +80,7 @@ struct outcome {
 /// The plan alone.
 plan plan_of(const job& asked);
 
-/// \throws std::invalid_argument for a device that does not shade points, and for segments that are watched or not shaded
+/// \throws std::invalid_argument for a device that does not shade points or does not fit the effect units, and for segments that are watched or not shaded
 /// pixel by pixel
 outcome render(const job& asked);
 

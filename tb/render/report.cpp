@@ -17,7 +17,9 @@ namespace {
 /// Of everything but reading the scene, the reference and writing the files.
 double frame_s(const outcome& of) {
   double sum = 0;
-  for (const char* phase : {"visibility", "shading", "device"}) sum += of.host_s.at(phase);
+  for (const char* phase : {"visibility", "shading", "device", "units"}) {
+    if (const auto found = of.host_s.find(phase); found != of.host_s.end()) sum += found->second;
+  }
   return sum;
 }
 
@@ -76,6 +78,9 @@ std::string report_json(const job& asked, const outcome& of, const circumstances
                                 {"device_writes", of.device_writes},
                                 {"watched_writes", of.watched_writes},
                                 {"units", of.planned.units},
+                                {"units_engine", asked.units != nullptr ? asked.units->name : "bit"},
+                                {"unit_rows", of.unit_rows},
+                                {"unit_cycles", in.unit_cycles},
                                 {"plan", of.planned.reasons},
                                 {"blocks", in.blocks},
                                 {"simulated_ns", in.simulated_ns},
@@ -125,6 +130,10 @@ std::string report_table(const job& asked, const outcome& of, const circumstance
                              in.shading, of.pixels));
   row("device", fmt::format("{} {}, engine {}", in.device.of().name(), in.device.format(), in.engine));
   row("units", fmt::format("{}", fmt::join(of.planned.units, ", ")));
+  if (asked.units != nullptr) {
+    row("effect units", fmt::format("{}, engine {}: {} lights of {} points", asked.units->device.top_name(),
+                                    asked.units->name, of.unit_rows, of.points));
+  }
   row("pixels in a highlight", fmt::format("{}", of.pixels_in_highlight));
   row("device writes",
       fmt::format("{} of {} points times {} lights", of.device_writes, of.points, asked.of->lights.size()));

@@ -10,7 +10,7 @@
 namespace blysk::render {
 
 shader::shader(const std::vector<scene::light>& lights, const vec& eye, const plan& planned,
-               const device_ports& ports, engine* device, results to)
+               const device_ports& ports, engine* device, const unit_source* units, results to)
     : lights_(lights),
       eye_(eye),
       plan_(planned),
@@ -19,6 +19,7 @@ shader::shader(const std::vector<scene::light>& lights, const vec& eye, const pl
       to_(to),
       specular_(planned.specular_lights()),
       inputs_(ports.make_writes()) {
+  if (units != nullptr) units_.emplace(*units, effect_units::results{to.sums, to.channels});
   for (std::uint32_t material = 0; material < specular_.size(); ++material) {
     bool has_diffuse = false;
     for (std::size_t k = 0; k < lights.size(); ++k)
@@ -28,13 +29,22 @@ shader::shader(const std::vector<scene::light>& lights, const vec& eye, const pl
 }
 
 void shader::add_unlit(std::uint32_t index, std::uint32_t material) {
-  const sum_rgb& ambient = plan_.ambient[material];
+  begin(index, material);
+  flush_if_full();
+}
+
+void shader::begin(std::uint32_t index, std::uint32_t material) {
+  const coefficient_rgb& ambient = plan_.ambient[material];
+  if (units_) {
+    units_->begin(index, ambient);
+    return;
+  }
   for (std::size_t channel = 0; channel < 3; ++channel)
     to_.sums[index][channel] = ambient_term(ambient[channel]);
 }
 
 void shader::add(std::uint32_t index, const point& at, light_set dark) {
-  add_unlit(index, at.material);
+  begin(index, at.material);
   sum_rgb& sum = to_.sums[index];
   const light_set specular = specular_[at.material] & ~dark;
   const vec view = specular != 0 ? golden::normalised(eye_ - at.position) : vec{0, 0, 0};
@@ -45,9 +55,11 @@ void shader::add(std::uint32_t index, const point& at, light_set dark) {
     const bool has_specular = (specular >> k & 1) != 0;
     if (!light.has_diffuse && !has_specular) continue;
     const incidence met = incidence_of(at, view, lights_[k]);
+    std::uint32_t number = 0;
     if (light.has_diffuse) {
       const std::int64_t cosine = cosine_code(met.nl, fraction);
-      for (std::size_t channel = 0; channel < 3; ++channel)
+      if (units_) number = units_->add(light.diffuse, cosine);
+      for (std::size_t channel = 0; !units_ && channel < 3; ++channel)
         sum[channel] += diffuse_term(light.diffuse[channel], cosine, fraction);
     }
     if (!has_specular) continue;
@@ -58,13 +70,23 @@ void shader::add(std::uint32_t index, const point& at, light_set dark) {
     const std::int64_t cosine = cosine_code(nh, fraction);
     const bool adds = is_lit && cosine >= light.lobe_begin;
     if (!adds && !all) continue;
+    if (units_ && !light.has_diffuse) number = units_->add({}, 0);
     waiting_.push_back({index, static_cast<std::uint32_t>(at.material * lights_.size() + k),
-                        static_cast<std::uint32_t>(cosine), is_lit});
+                        static_cast<std::uint32_t>(cosine), number, is_lit});
   }
-  if (waiting_.size() >= kBatch) flush();
+  flush_if_full();
+}
+
+void shader::flush_if_full() {
+  if (waiting_.size() >= kBatch || (units_ && units_->waiting() >= kBatch)) flush();
 }
 
 void shader::flush() {
+  run_writes();
+  if (units_) units_->run();
+}
+
+void shader::run_writes() {
   if (waiting_.empty()) return;
   // What a material and a light write into registers 1, 3, 4 and 5 is written once a batch.
   if (plan_.asked == effects::automatic) std::ranges::stable_sort(waiting_, {}, &write::slot);
@@ -89,8 +111,13 @@ void shader::run(std::span<const write> batch) {
     if (!ports_.is_dark(outputs_, i)) to_.in_highlight[batch[i].point] = 1;
     sum_rgb& sum = to_.sums[batch[i].point];
     const bool is_grey = plan_.of_lights[batch[i].slot].is_grey;
-    for (std::size_t channel = 0; channel < 3; ++channel)
-      sum[channel] += ports_.term(outputs_, i, is_grey ? 0 : channel);
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+      if (units_) {
+        units_->set_specular(batch[i].light, channel, ports_.code(outputs_, i, is_grey ? 0 : channel));
+      } else {
+        sum[channel] += ports_.term(outputs_, i, is_grey ? 0 : channel);
+      }
+    }
   }
 }
 

@@ -121,6 +121,75 @@ TEST_CASE("a scene without highlights has no device and no clock", "[cli][render
           "nothing to record");
 }
 
+TEST_CASE("the effect units in hardware change no bit of the picture", "[cli][render]") {
+  const scratch folder;
+  folder.write("one.json", R"({"mesh": "sphere", "materials": {"*": {"ks": [0.5, 0.5, 0.5]}}})");
+  folder.write("three.json", R"({"mesh": "spheres", "lights": [{"direction": [1, 1, 1]},
+    {"position": [-4, 5, 3], "colour": [0.6, 0.3, 0.1]}, {"direction": [0, 0, 1], "colour": [0, 0.2, 0]}]})");
+  folder.write("dull.json", R"({"mesh": "sphere", "materials": {"*": {"kd": [0, 0, 0], "ks": [0, 0, 0]}}})");
+  for (const char* name : {"one.json", "three.json", "dull.json"}) {
+    for (const char* shading : {"phong", "gouraud"}) {
+      const std::string scene = in(folder, name) + kSmall + "--shading " + shading + " ";
+      const json host = rendered(folder, scene, "host.png");
+      const std::string picture = slurp(folder.path("host.png"));
+      CHECK(host["units_engine"] == "bit");
+      CHECK(host["unit_rows"] == 0);
+      CHECK(host["cycles"] == 0);
+      CHECK(host["blocks"].empty());
+      for (const char* options :
+           {"--units bit", "--units systemc", "--units verilator", "--units systemc --engine systemc",
+            "--units verilator --engine verilator --effects all", "--units systemc --engine verilator",
+            "--units systemc --watch 20,18,12,4"}) {
+        CAPTURE(name, shading, options);
+        const json report = rendered(folder, scene + options);
+        CHECK(slurp(folder.path("p.png")) == picture);
+        CHECK(report["pixels_in_highlight"] == host["pixels_in_highlight"]);
+        if (std::string(options).find("all") == std::string::npos) CHECK(report["units"] == host["units"]);
+        const bool is_hardware = std::string(options) != "--units bit";
+        CHECK((report["unit_rows"] >= report["points"]) == is_hardware);
+        CHECK((report["unit_cycles"] > report["unit_rows"]) == is_hardware);
+        CHECK(report["cycles"] >= report["unit_cycles"]);
+        CHECK(report["simulated_ns"] == 10 * report["cycles"].get<int>());
+        const bool has_systemc = std::string(options).find("systemc") != std::string::npos;
+        CHECK((report["blocks"].size() > 20) == has_systemc);
+      }
+    }
+  }
+  const std::string segments = std::string("teapot --renderer segments") + kSmall;
+  rendered(folder, segments, "host.png");
+  rendered(folder, segments + "--units systemc --engine systemc");
+  CHECK(slurp(folder.path("p.png")) == slurp(folder.path("host.png")));
+}
+
+TEST_CASE("the waves of the effect units are those of what is watched", "[cli][render]") {
+  const scratch folder;
+  const std::string scene = std::string("sphere") + kSmall + "--units systemc ";
+  const auto waves_of = [&](const std::string& options) {
+    rendered(folder, scene + options + "--units-vcd " + in(folder, "u.vcd"));
+    return slurp(folder.path("u.vcd"));
+  };
+  const std::string few = waves_of("--watch 24,24,4,1 --vcd " + in(folder, "w.vcd") + " ");
+  const std::string all = waves_of("");
+  for (const std::string& each : {few, all}) {
+    CHECK(each.find("n_l") != std::string::npos);
+    CHECK(each.find("red_sum_real") != std::string::npos);
+    CHECK(each.find("$enddefinitions") != std::string::npos);
+  }
+  CHECK(all.size() > 10 * few.size());
+  CHECK(slurp(folder.path("w.vcd")).find("cos18") != std::string::npos);
+  fs::remove(folder.path("u.vcd"));
+  fs::remove(folder.path("w.vcd"));
+  fs::remove(folder.path("p.png"));
+  fs::remove(folder.path("r.json"));
+  refuses(folder, "sphere --units verilator --units-vcd " + in(folder, "u.vcd"), "expected --units systemc");
+  refuses(folder, "sphere --units-vcd " + in(folder, "u.vcd"), "expected --units systemc");
+  refuses(folder, "sphere --units systemc --engine golden", "expected bit, systemc or verilator");
+  refuses(folder, "sphere --units golden", "--units");
+  refuses(folder, "sphere --units systemc --as-published", "takes specular terms of UQ8.16");
+  refuses(folder, "sphere --units systemc --animate 2 --units-vcd " + in(folder, "u.vcd"),
+          "expected no --units-vcd");
+}
+
 TEST_CASE("the plan says what is computed and why", "[cli][render]") {
   const scratch folder;
   const outcome run = run_blysk(folder, "render sphere --explain --format q8");

@@ -7,9 +7,9 @@ namespace blysk::render {
 
 /// I_a k_a, and the colour of a surface that shines by itself.   [T] (1.2)
 /// \param coefficient  UQ8.8
-/// \return             SQ15.16, exact
-constexpr std::int32_t ambient_term(std::int32_t coefficient) {
-  return static_cast<std::int32_t>(rescaled(coefficient, kCoefficientBits, kSumBits));
+/// \return             16 fraction bits, exact
+constexpr std::int64_t ambient_term(std::int64_t coefficient) {
+  return law::rescale(coefficient, kCoefficientBits, kSumBits);
 }
 
 }  // namespace blysk::render

@@ -6,16 +6,16 @@
 namespace blysk::render {
 
 /// A channel of the picture: the sum of the effects, saturated to 0..255.   [T] listing A, calcColor
-/// \param sum  SQ15.16
-/// \return     SQ15.16, 0..255
-constexpr std::int32_t saturated(std::int32_t sum) {
-  return std::clamp(sum, std::int32_t{0}, std::int32_t{255} << kSumBits);
+/// \param sum  16 fraction bits
+/// \return     16 fraction bits, 0..255
+constexpr std::int64_t saturated(std::int64_t sum) {
+  return law::clamp(sum, std::int64_t{0}, std::int64_t{255} << kSumBits);
 }
 
 /// To nearest, ties up.
-/// \param sum  SQ15.16, saturated
-constexpr std::uint8_t channel_of(std::int32_t sum) {
-  return static_cast<std::uint8_t>(rescaled(sum, kSumBits, 0));
+/// \param sum  16 fraction bits, saturated
+constexpr std::uint8_t channel_of(std::int64_t sum) {
+  return static_cast<std::uint8_t>(law::round_off(sum, kSumBits));
 }
 
 }  // namespace blysk::render

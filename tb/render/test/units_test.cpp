@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+// The effect units as a device give the picture of their laws on the host.
+#include "tb/render/effect_units.h"
+
+#include <algorithm>
+
+#include "tb/catch.h"
+#include "tb/render/render.h"
+#include "tb/render/test/picture_source.h"
+#include "tb/render/test/random_scene.h"
+#include "tb/scene/shapes.h"
+
+namespace {
+
+using namespace blysk;
+using namespace blysk::render;
+
+/// The bit-accurate model of the effect units.
+struct bit_units {
+  explicit bit_units(const std::string& format)
+      : device(choose_effect_units(format)),
+        model(device.of().make_bit(device)),
+        source{device, model.get(), "model"} {}
+
+  selection device;
+  std::unique_ptr<engine> model;
+  unit_source source;
+};
+
+outcome picture_of(const scene::world& of, const device_source* shades, const unit_source* units,
+                   const char* shading, effects asked = effects::automatic, bool by_segments = false) {
+  job wanted{.of = &of,
+             .width = 20,
+             .height = 20,
+             .shading = &find_shading(shading),
+             .asked = asked,
+             .device = shades,
+             .units = units};
+  if (by_segments) wanted.by_segments = segments{};
+  return render::render(wanted);
+}
+
+const device& first_device() {
+  return *devices().front();
+}
+
+}  // namespace
+
+TEST_CASE("random scenes look the same with the effect units as a device", "[render]") {
+  constexpr std::array kShadings{"phong", "phong", "gouraud", "flat", "polynomial"};
+  std::size_t many = 0;
+  std::size_t dark = 0;
+  std::size_t coloured = 0;
+  for (std::uint64_t seed = 1; seed <= 400; ++seed) {
+    test::scene_maker maker(seed);
+    const scene::world of = maker.make();
+    const char* const format = std::array{"q8", "q12", "q16", "q20"}[maker.below(4)];
+    const char* const shading = kShadings[maker.below(kShadings.size())];
+    const effects asked = maker.below(3) == 0 ? effects::all : effects::automatic;
+    const bool by_segments = std::string(shading) == "phong" && maker.below(2) == 0;
+    const test::picture_source shades(choose(first_device().name(), format), false);
+    const bit_units units(format);
+    CAPTURE(seed, format, shading, by_segments);
+    const outcome host = picture_of(of, shades.of(), nullptr, shading, asked, by_segments);
+    const outcome device = picture_of(of, shades.of(), &units.source, shading, asked, by_segments);
+    REQUIRE(device.image.rgb == host.image.rgb);
+    REQUIRE(device.pixels_in_highlight == host.pixels_in_highlight);
+    REQUIRE(device.device_writes == host.device_writes);
+    REQUIRE(host.unit_rows == 0);
+    // Each point has a row, and no light of it has two.
+    REQUIRE(device.unit_rows >= device.points);
+    REQUIRE(device.unit_rows <= device.points * std::max<std::size_t>(1, of.lights.size()));
+    many += of.lights.size() > 1 && device.pixels > 0 ? 1 : 0;
+    dark += of.lights.empty() && device.pixels > 0 ? 1 : 0;
+    const auto is_coloured = [](const light_plan& each) { return each.has_specular && !each.is_grey; };
+    coloured += std::ranges::any_of(device.planned.of_lights, is_coloured) ? 1 : 0;
+  }
+  CHECK(many > 40);
+  CHECK(dark > 10);
+  CHECK(coloured > 40);
+  CHECK(coloured < 360);
+}
+
+TEST_CASE("sixty-four full lights are white", "[render]") {
+  scene::world of;
+  of.surface = scene::make_sphere(16);
+  scene::material& material = of.surface.materials[0];
+  material.ka = material.kd = material.ks = {1, 1, 1};
+  material.n = 1;
+  of.ambient = {1, 1, 1};
+  scene::camera view;
+  view.eye = {0, 0, 5};
+  view.target = {0, 0, 0};
+  of.view = view;
+  of.lights.assign(kMostLights, scene::light{.at = {0, 0, 1}, .colour = {1, 1, 1}});
+  const test::picture_source shades(choose(first_device().name(), "q12"), false);
+  const bit_units units("q12");
+  for (const unit_source* each : {static_cast<const unit_source*>(nullptr), &units.source}) {
+    const outcome made = picture_of(of, shades.of(), each, "phong");
+    for (std::size_t channel = 0; channel < 3; ++channel) CHECK(made.image.pixel(10, 10)[channel] == 255);
+    CHECK(std::ranges::count(made.image.rgb, 255) > 3 * 200);
+  }
+}
+
+TEST_CASE("effect units refuse a device whose outputs they cannot take", "[render]") {
+  const bit_units units("q12");
+  expect_fitting(units.source, choose(first_device().name(), "q12"));
+  const auto refusal = [&](const selection& shades) -> std::string {
+    try {
+      expect_fitting(units.source, shades);
+    } catch (const std::invalid_argument& why) {
+      return why.what();
+    }
+    return "";
+  };
+  CHECK(refusal(choose(first_device().name(), "q12")).empty());
+  CHECK(refusal(choose(first_device().name(), "q8")).find("puts out UQ8.8") != std::string::npos);
+  CHECK(refusal(choose(first_device().name(), "q12", {{"as-published", "on"}})).find("puts out SQ") !=
+        std::string::npos);
+}
