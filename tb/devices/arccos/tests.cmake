@@ -3,6 +3,6 @@
 set(protocol handshake)  # start, ready and valid
 set(exhaustive q8 q10 q12 q14 q16 q18 q20)  # every cosine
 set(simulated 300000)  # inputs that SystemC takes one after the other; each takes up to 31 cycles
-set(covered "")
-set(mutated "")
+set(covered q8)
+set(mutated q8)
 set(beside "")  # there are no other ports
