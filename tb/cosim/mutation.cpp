@@ -283,7 +283,7 @@ struct arguments_for_equivalence {
   std::string reasons;  ///< the device's survivors.txt, or empty
 };
 
-/// Reasons of survivors.txt: "BLOCK | FAULT" as the table has them, a tab, the reason.
+/// Reasons of survivors.txt: "NUMBER | BLOCK | FAULT" as the table has them, a tab, the reason.
 std::map<std::string, std::string> read_reasons(const std::string& path) {
   std::map<std::string, std::string> reasons;
   if (path.empty()) return reasons;
@@ -291,7 +291,8 @@ std::map<std::string, std::string> read_reasons(const std::string& path) {
     if (line.starts_with('#')) continue;
     const std::size_t tab = line.find('\t');
     if (tab == std::string::npos || tab + 1 == line.size())
-      throw std::runtime_error(path + ": expected BLOCK | FAULT, a tab, the reason, not '" + line + "'");
+      throw std::runtime_error(path + ": expected NUMBER | BLOCK | FAULT, a tab, the reason, not '" + line +
+                               "'");
     reasons[line.substr(0, tab)] = line.substr(tab + 1);
   }
   return reasons;
@@ -332,7 +333,8 @@ int run(const selection& asked, const std::string& folder, const arguments_for_e
   progress bar("mutants", mutations.size());
   for (std::size_t i = 0; i < mutations.size(); ++i) {
     std::size_t end = tests->run(static_cast<unsigned>(i + 1), mutations[i]);
-    const auto reason = reasons.find(mutations[i].block + " | " + mutations[i].what);
+    const auto reason =
+        reasons.find(fmt::format("{} | {} | {}", i + 1, mutations[i].block, mutations[i].what));
     const bool is_explained = end == is_alive && reason != reasons.end();
     if (is_explained) {
       end = is_equivalent;

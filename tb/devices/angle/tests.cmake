@@ -6,3 +6,7 @@ set(covered q8)
 set(mutated q8)
 set(replayed 20)  # lines of up to 1023 pixels
 set(beside "")  # angles have too many codes
+# What the proof of states.v has to notice.
+set(state_faults wrong_range "s/assert (now <= 2)/assert (now < 2)/"
+                 changed_hold "s/else if (we_i)/else/"
+                 changed_end "s/!carry_i/carry_i/")
