@@ -4,6 +4,9 @@
 #   variants       a line of options for each export that the tests try besides
 #   reference.v    module `reference` with parameter F, the same ports, written by hand
 #   uncovered.txt  reasons for bits that the regression does not change
+#   states.v       module `states` with parameter F: what holds for the registers and the ports of a device with start and
+#                  ready; it is proved, and proofs that a mutant is equivalent build on it
+#   survivors.txt  reasons for mutants of such a device that are equivalent and not proved to be
 #   tests.cmake    sets, where they differ from what stands here:
 #     family             specular: the proofs of tb/specular/formal and the errors against c^n hold for it;
 #                        pipelined: a device of tb/specular/pipelined.h
@@ -13,6 +16,7 @@
 #     replayed           rows that Icarus repeats, 3000
 #     beside             formats whose ports beside the enumerated ones run through all their codes
 #     exhaustive         formats whose inputs are all tried
+#     state_faults       NAME SED...: faults in the device's Verilog that the proof of states.v has to notice
 #     covered, mutated   formats whose coverage is counted, whose mutants are tried: of the first 200 in a test
 #   tables.cmake   declares programs, targets and tests of tables that only this device has
 # Labels: quick takes seconds in all, full less than a minute of processor time each, long more; stability besides for hard
@@ -43,6 +47,7 @@ function(blysk_device_tests device)
   set(exhaustive q8 q10 q12 q14 q16)
   set(covered q8 q12 q16)
   set(mutated q8 q12)
+  set(state_faults "")
   include(${own}/tests.cmake OPTIONAL)
   set(reference ${own}/reference.v)
   set(tables ${PROJECT_SOURCE_DIR}/docs/tables/${identifier})
@@ -151,6 +156,8 @@ function(blysk_device_tests device)
       endif()
     elseif(family STREQUAL pipelined AND format IN_LIST blysk_checked_formats)
       string(APPEND known " proved wiring proved stand proved control")
+    elseif(EXISTS ${own}/states.v AND format IN_LIST blysk_checked_formats)
+      string(APPEND known " proved states")
     endif()
     set_property(GLOBAL APPEND_STRING PROPERTY blysk_known_of_formats "${known}\n")
     if(format IN_LIST exhaustive)
@@ -198,13 +205,20 @@ function(blysk_device_tests device)
     add_dependencies(update_${name} ${name})
     add_dependencies(update_coverage update_${name})
   endforeach()
+  set(equivalence --prove ${CMAKE_CURRENT_SOURCE_DIR}/mutants.sh)
+  if(EXISTS ${own}/states.v)
+    list(APPEND equivalence --states ${own}/states.v)
+  endif()
+  if(EXISTS ${own}/survivors.txt)
+    list(APPEND equivalence --reasons ${own}/survivors.txt)
+  endif()
   if(mutated)
     list(GET mutated 0 format)
     set(name mutation_${identifier}_few)
     blysk_mutants(${name} ${device} ${format} 200)
     set_target_properties(${name} PROPERTIES EXCLUDE_FROM_ALL OFF)
     add_test(NAME cosim.${device}.mutation.${format}
-             COMMAND ${name} ${device} ${format} ${CMAKE_CURRENT_BINARY_DIR}/${name})
+             COMMAND ${name} ${device} ${format} ${CMAKE_CURRENT_BINARY_DIR}/${name} ${equivalence})
     blysk_label(full cosim.${device}.mutation.${format})
   endif()
   foreach(format IN LISTS mutated)
@@ -212,16 +226,37 @@ function(blysk_device_tests device)
     blysk_mutants(${name} ${device} ${format} 1200)
     add_custom_target(update_${name} USES_TERMINAL VERBATIM
       COMMAND ${CMAKE_COMMAND} -E make_directory ${tables}
-      COMMAND ${name} ${device} ${format} ${CMAKE_CURRENT_BINARY_DIR}/${name} --output ${tables}/mutation_${format}.md)
+      COMMAND ${name} ${device} ${format} ${CMAKE_CURRENT_BINARY_DIR}/${name} ${equivalence}
+              --output ${tables}/mutation_${format}.md)
     add_dependencies(update_mutation update_${name})
   endforeach()
 
+  if(EXISTS ${own}/states.v)
+    blysk_states_tests(${device})
+  endif()
   if(family STREQUAL specular)
     blysk_specular_tests(${device})
   elseif(family STREQUAL pipelined)
     blysk_pipelined_tests(${device})
   endif()
   include(${own}/tables.cmake OPTIONAL)
+endfunction()
+
+# What a device's states.v says is proved, and the proof notices faults. Uses the variables of blysk_device_tests().
+function(blysk_states_tests device)
+  set(prove ${CMAKE_CURRENT_SOURCE_DIR}/states.sh)
+  foreach(format IN LISTS blysk_checked_formats)
+    blysk_verilog_of(${device} ${format})
+    add_test(NAME cosim.${device}.formal.${format}.states COMMAND ${prove} ${verilog_folder} ${own}/states.v ${format})
+    blysk_label(full cosim.${device}.formal.${format}.states)
+  endforeach()
+  blysk_verilog_of(${device} q8)
+  while(state_faults)
+    list(POP_FRONT state_faults name fault)
+    add_test(NAME cosim.${device}.formal.${name} COMMAND ${prove} ${verilog_folder} ${own}/states.v q8 ${fault})
+    set_tests_properties(cosim.${device}.formal.${name} PROPERTIES PASS_REGULAR_EXPRESSION "proof did fail")
+    blysk_label(full cosim.${device}.formal.${name})
+  endwhile()
 endfunction()
 
 # What devices with the registers and colour multipliers of rtl_sysc/devices/specular.h share: proofs, and the errors

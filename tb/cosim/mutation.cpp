@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// mutation DEVICE FORMAT FOLDER [--output TABLE.md]: does the regression kill the single-fault mutants of the exported
-// device? FOLDER has what mutants.sh wrote: list.ys, the faults, and control.txt, the cells of the registers' enables and
-// resets. Exit 1 if one lives that is not shown to be equivalent. Built once for each device and format, with the modules
-// of the mutants.
+// mutation DEVICE FORMAT FOLDER [--prove SCRIPT] [--states STATES] [--reasons REASONS] [--output TABLE.md]: does the regression
+// kill the single-fault mutants of the exported device? FOLDER has what mutants.sh wrote: list.ys, the faults, and
+// control.txt, the cells of the registers' enables and resets. Exit 1 if one lives that is not shown to be equivalent. Built
+// once for each device and format, with the modules of the mutants.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,27 +14,22 @@
 #include <utility>
 
 #include "tb/cosim/mutants.h"
+#include "tb/cosim/regression.h"
 #include "tb/cosim/strobes.h"
 #include "tb/inputs.h"
 #include "tb/output_file.h"
 #include "tb/program.h"
 #include "tb/progress.h"
+#include "tb/run_tool.h"
 
 namespace blysk::cosim {
 namespace {
 
-enum class fate { killed_by_vectors, killed_by_strobes, killed_by_all_inputs, equivalent, alive };
+namespace fate {
+enum : std::size_t { killed_by_vectors, killed_by_strobes, killed_by_all_inputs, equivalent, alive };
+}
 constexpr const char* kFates[] = {"killed by 20000 random writes", "killed by 20000 cycles of strobes",
                                   "killed by all inputs", "equivalent", "alive"};
-
-struct mutation {
-  std::string block;  // instance in the device
-  std::string place;  // port of its cell and wire there
-  std::string what;
-  // The outputs remain a function of what was written last: the fault sits at a cell of the datapath, or at the input or
-  // the output of a data register.
-  bool is_datapath;
-};
 
 std::vector<std::string> lines_of(const std::string& path) {
   std::vector<std::string> result;
@@ -86,9 +81,9 @@ struct vectors {
 /// enumerated ports alone, and every result depends on that and on one other data port. With those ports at their largest
 /// codes the results tell all inner results apart, which is checked. So all codes of the enumerated ports there cover the
 /// path to the inner result, and then all codes of the others at every inner result that occurs cover the rest.
-class regression {
+class strobe_regression final : public regression {
  public:
-  explicit regression(const selection& asked)
+  explicit strobe_regression(const selection& asked)
       : asked_(asked),
         data_(of_role(asked.of().ports(asked), port::role::data)),
         model_(asked.of().make_bit(asked)) {
@@ -106,7 +101,9 @@ class regression {
     });
   }
 
-  fate run(unsigned mutant, const mutation& what) {
+  std::span<const char* const> fates() const override { return kFates; }
+
+  std::size_t run(unsigned mutant, const mutation& what) override {
     module_ = modules_.at((mutant - 1) / 100).get();
     module_->select(mutant);
     for (const vectors& each : random_) {
@@ -279,7 +276,44 @@ class regression {
   columns got_;
 };
 
-int run(const selection& asked, const std::string& folder, const std::string& table) {
+/// What shows that survivors are equivalent, beside the regression itself.
+struct arguments_for_equivalence {
+  std::string script;   ///< mutants.sh; empty: no proofs
+  std::string states;   ///< the device's states.v for them, or empty
+  std::string reasons;  ///< the device's survivors.txt, or empty
+};
+
+/// Reasons of survivors.txt: "NUMBER | BLOCK | FAULT" as the table has them, a tab, the reason.
+std::map<std::string, std::string> read_reasons(const std::string& path) {
+  std::map<std::string, std::string> reasons;
+  if (path.empty()) return reasons;
+  for (const std::string& line : lines_of(path)) {
+    if (line.starts_with('#')) continue;
+    const std::size_t tab = line.find('\t');
+    if (tab == std::string::npos || tab + 1 == line.size())
+      throw std::runtime_error(path + ": expected NUMBER | BLOCK | FAULT, a tab, the reason, not '" + line +
+                               "'");
+    reasons[line.substr(0, tab)] = line.substr(tab + 1);
+  }
+  return reasons;
+}
+
+std::unique_ptr<regression> make_regression(const selection& asked, const std::string& folder,
+                                            const arguments_for_equivalence& with) {
+  if (protocol_of(asked.of().ports(asked)) == protocol::strobes)
+    return std::make_unique<strobe_regression>(asked);
+  return make_row_regression(asked, [=, fraction = asked.fraction()](unsigned number) {
+    std::vector<std::string> words{with.script, "prove", folder, fmt::format("{}", number)};
+    if (!with.states.empty()) {
+      words.push_back(with.states);
+      words.push_back(fmt::format("{}", fraction));
+    }
+    return !with.script.empty() && runs_well(words);
+  });
+}
+
+int run(const selection& asked, const std::string& folder, const arguments_for_equivalence& with,
+        const std::string& table) {
   const std::set<std::string> control = control_cells(folder + "/control.txt");
   std::vector<mutation> mutations;
   for (const std::string& line : lines_of(folder + "/list.ys")) mutations.push_back(parse(line, control));
@@ -287,30 +321,41 @@ int run(const selection& asked, const std::string& folder, const std::string& ta
   if (mutations.size() != 100 * mutants_table().size())
     throw std::runtime_error(fmt::format("{}/list.ys has {} mutants, expected {}", folder, mutations.size(),
                                          100 * mutants_table().size()));
-  regression tests(asked);
-  std::map<fate, std::size_t> counts;
+  const std::unique_ptr<regression> tests = make_regression(asked, folder, with);
+  const std::span<const char* const> fates = tests->fates();
+  const std::size_t is_alive = fates.size() - 1;
+  const std::size_t is_equivalent = fates.size() - 2;
+  const std::map<std::string, std::string> reasons = read_reasons(with.reasons);
+  std::size_t explained = 0;
+  std::vector<std::size_t> counts(fates.size());
   std::string survivors;
-  std::map<std::string, std::size_t> equivalent;  // by place
+  std::map<std::string, std::size_t> places;  // of equivalent mutants
   progress bar("mutants", mutations.size());
   for (std::size_t i = 0; i < mutations.size(); ++i) {
-    const fate end = tests.run(static_cast<unsigned>(i + 1), mutations[i]);
-    ++counts[end];
-    if (end == fate::equivalent) ++equivalent[mutations[i].block + " | " + mutations[i].place];
-    if (end == fate::equivalent || end == fate::alive) {
-      survivors += fmt::format("| {} | {} | {} | {} |\n", i + 1, mutations[i].block, mutations[i].what,
-                               kFates[static_cast<int>(end)]);
+    std::size_t end = tests->run(static_cast<unsigned>(i + 1), mutations[i]);
+    const auto reason =
+        reasons.find(fmt::format("{} | {} | {}", i + 1, mutations[i].block, mutations[i].what));
+    const bool is_explained = end == is_alive && reason != reasons.end();
+    if (is_explained) {
+      end = is_equivalent;
+      ++explained;
     }
+    ++counts[end];
+    if (end == is_equivalent) ++places[mutations[i].block + " | " + mutations[i].place];
+    if (end == is_equivalent || end == is_alive)
+      survivors += fmt::format("| {} | {} | {} | {} |\n", i + 1, mutations[i].block, mutations[i].what,
+                               is_explained ? "equivalent: " + reason->second : fates[end]);
     bar.advance(1);
   }
 
   std::string text =
       fmt::format("| {} mutants of {} | |\n|---|---|\n", mutations.size(), asked.folder_name());
-  for (const fate each : {fate::killed_by_vectors, fate::killed_by_strobes, fate::killed_by_all_inputs,
-                          fate::equivalent, fate::alive}) {
-    text += fmt::format("| {} | {} |\n", kFates[static_cast<int>(each)], counts[each]);
-  }
-  if (!equivalent.empty()) text += "\n| equivalent, block | port | mutants |\n|---|---|---|\n";
-  for (const auto& [place, count] : equivalent) text += fmt::format("| {} | {} |\n", place, count);
+  for (std::size_t end = 0; end < fates.size(); ++end)
+    text += fmt::format("| {} | {} |\n", fates[end], counts[end]);
+  if (explained > 0)
+    text += fmt::format("| of the equivalent ones by a reason, not by proof | {} |\n", explained);
+  if (!places.empty()) text += "\n| equivalent, block | port | mutants |\n|---|---|---|\n";
+  for (const auto& [place, count] : places) text += fmt::format("| {} | {} |\n", place, count);
   if (!survivors.empty()) text += "\n| mutant | block | fault | |\n|---|---|---|---|\n" + survivors;
   fmt::print("{}", text);
   if (!table.empty()) {
@@ -319,7 +364,7 @@ int run(const selection& asked, const std::string& folder, const std::string& ta
     file.close();
     file.commit();
   }
-  return counts[fate::alive] == 0 ? 0 : 1;
+  return counts[is_alive] == 0 ? 0 : 1;
 }
 
 }  // namespace
@@ -328,13 +373,19 @@ int run(const selection& asked, const std::string& folder, const std::string& ta
 int main(int argc, char** argv) {
   using namespace blysk;
   device_arguments arguments;
+  cosim::arguments_for_equivalence with;
   std::string folder, table;
   return run_program(
       argc, argv, "Tries the single-fault mutants of an exported device on the regression",
       [&](CLI::App& program) {
         arguments.add_to(program);
         program.add_option("FOLDER", folder, "of list.ys and control.txt")->required();
+        program.add_option("--prove", with.script, "mutants.sh, which proves that survivors are equivalent");
+        program.add_option("--states", with.states, "states.v of the device, for the proofs")
+            ->check(CLI::ExistingFile);
+        program.add_option("--reasons", with.reasons, "survivors.txt of the device")
+            ->check(CLI::ExistingFile);
         program.add_option("--output", table, "Markdown file for the result");
       },
-      [&] { return cosim::run(arguments.chosen(), folder, table); });
+      [&] { return cosim::run(arguments.chosen(), folder, with, table); });
 }

@@ -85,8 +85,8 @@ std::int64_t strobe_sequence::code(const channel& of) {
 }
 
 void play_strobes(verilator_engine& verilog, const selection& asked,
-                  const std::function<bool(std::span<const std::int64_t>)>& use) {
-  strobe_sequence strobes(asked);
+                  const std::function<bool(std::span<const std::int64_t>)>& use, codes which) {
+  strobe_sequence strobes(asked, which);
   std::vector<std::int64_t> levels(strobes.ports().size(), 0);
   const auto clock = find_role(strobes.ports(), port::role::clock);
   for (int cycle = 0; cycle < kStrobeCycles; ++cycle) {

@@ -57,9 +57,9 @@ class strobe_sequence {
 /// Cycles of a strobe_sequence that reach every pattern and reset many times.
 inline constexpr int kStrobeCycles = 20'000;
 
-/// Applies kStrobeCycles cycles of legal strobes and calls use(levels of all ports) after every edge of clk, from the first
+/// Applies kStrobeCycles cycles of strobes and calls use(levels of all ports) after every edge of clk, from the first
 /// rising one on, which resets the device, until it says false.
 void play_strobes(verilator_engine& verilog, const selection& asked,
-                  const std::function<bool(std::span<const std::int64_t>)>& use);
+                  const std::function<bool(std::span<const std::int64_t>)>& use, codes which = codes::legal);
 
 }  // namespace blysk::cosim

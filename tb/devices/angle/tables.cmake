@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # Tables that only this device has: the lobe against cos^n.
-add_executable(epicentre ${own}/tables/epicentre.cpp)
-target_link_libraries(epicentre PRIVATE blysk_program blysk_golden blysk_files blysk_options)
-set_target_properties(epicentre PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests)
+blysk_add_program(epicentre SOURCES ${own}/tables/epicentre.cpp LIBRARIES blysk_golden blysk_files)
 add_test(NAME docs.${device}.epicentre COMMAND epicentre --check ${tables})
 blysk_label(quick docs.${device}.epicentre)
 add_custom_target(update_epicentre USES_TERMINAL VERBATIM

@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # Tables that only this device has: what the published comparator lets through, and the reflectance with each factor.
-add_executable(beyond_root ${own}/tables/beyond_root.cpp)
-target_link_libraries(beyond_root PRIVATE blysk_program blysk_golden blysk_files blysk_options)
-set_target_properties(beyond_root PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests)
+blysk_add_program(beyond_root SOURCES ${own}/tables/beyond_root.cpp LIBRARIES blysk_golden blysk_files)
 add_test(NAME docs.${device}.beyond_root COMMAND beyond_root --check ${tables})
 blysk_label(quick docs.${device}.beyond_root)
 add_custom_target(update_beyond_root USES_TERMINAL VERBATIM

@@ -2,7 +2,12 @@
 # What the functions that declare a device's tests have to know of this one.
 set(protocol handshake)           # start, ready and valid
 set(exhaustive ${blysk_formats})  # every length; values and differences run alongside
-set(covered "")
-set(mutated "")
+set(covered q8)
+set(mutated q8)
 set(replayed 20)  # lines of up to 1024 pixels
 set(beside "")  # values and differences have too many codes
+# What the proof of states.v has to notice.
+set(state_faults wrong_range "s/left <= 1024/left < 1024/"
+                 changed_hold "s/else if (load_i || step_i)/else/"
+                 changed_count "s/{1'b0, length_i} + 11'd1/{1'b0, length_i}/"
+                 changed_reset "s/ left <= 11'd0/ left <= 11'd1/")

@@ -12,6 +12,7 @@ function(blysk_case_program program)
   add_executable(${program} ${arg_SOURCES})
   set_property(GLOBAL APPEND PROPERTY blysk_test_programs ${program})
   target_link_libraries(${program} PRIVATE blysk_options Catch2::Catch2WithMain ${arg_LIBRARIES})
+  target_precompile_headers(${program} REUSE_FROM blysk_test_headers)
   set_target_properties(${program} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests)
 endfunction()
 

@@ -1,0 +1,6 @@
+# SPDX-License-Identifier: Apache-2.0
+# What the functions that declare a device's tests have to know of this one.
+set(family specular)  # registers and colour multipliers of rtl_sysc/devices/specular.h
+set(has_bound ON)     # within which its BRDF is that of its formula
+set(covered q8)
+set(mutated q8)
