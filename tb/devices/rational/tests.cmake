@@ -4,3 +4,4 @@ set(family specular)  # registers and colour multipliers of rtl_sysc/devices/spe
 set(has_bound ON)     # within which its BRDF is that of its formula
 set(covered q8)
 set(mutated q8)
+set(changed_reference "s/(quotient + 1) >> 1/quotient >> 1/")  # the BRDF of reference.v rounded down
