@@ -70,10 +70,11 @@ std::string proofs_text(const facts& known) {
   const auto has = [&](const char* property) {
     return std::ranges::find(known.proved, property) != known.proved.end();
   };
-  return has("wiring")  ? "registers only delay"
-         : has("brdf")  ? "all of it"
-         : has("range") ? "all but the BRDF"
-                        : "-";
+  return has("wiring")   ? "registers only delay"
+         : has("brdf")   ? "all of it"
+         : has("range")  ? "all but the BRDF"
+         : has("states") ? "ports and registers over time"
+                         : "-";
 }
 
 std::string line_of(const std::string& tables, const selection& asked, const facts& known,
@@ -106,7 +107,12 @@ constexpr const char* kHead =
     "test with the label `long`; [long-runs.md](long-runs.md) says whether it ran.\n"
     "* *Proved*: by SAT against a reference written by hand, see [verilog.md](verilog.md#proofs-yosys-sat). "
     "Of a "
-    "pipeline: that its registers only delay, so that its results are those of the device without them.\n"
+    "pipeline: that its registers only delay, so that its results are those of the device without them. Of "
+    "another "
+    "device with start and ready, without a reference: *ports and registers over time*, what its states.v "
+    "says of "
+    "ready, "
+    "valid, holding and the ranges of registers.\n"
     "* *Mutants*: faults in the Verilog that no test notices are alive; equivalent ones change no output. "
     "See "
     "[mutation.md](mutation.md).\n"

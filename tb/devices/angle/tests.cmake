@@ -2,8 +2,8 @@
 # What the functions that declare a device's tests have to know of this one.
 set(protocol handshake)           # start, ready and valid
 set(exhaustive ${blysk_formats})  # every exponent; intensities, angles and lengths run alongside
-set(covered q8)
-set(mutated q8)
+set(covered "")
+set(mutated "")
 set(replayed 20)  # lines of up to 1023 pixels
 set(beside "")  # angles have too many codes
 # What the proof of states.v has to notice.
