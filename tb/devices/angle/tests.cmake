@@ -6,6 +6,7 @@ set(covered "")
 set(mutated "")
 set(replayed 20)  # lines of up to 1023 pixels
 set(beside "")  # angles have too many codes
+set(stated q8 q12 q16)  # q24 was not waited for
 # What the proof of states.v has to notice.
 set(state_faults wrong_range "s/assert (now <= 2)/assert (now < 2)/"
                  changed_hold "s/else if (we_i)/else/"
