@@ -73,6 +73,7 @@ std::string proofs_text(const facts& known) {
   return has("wiring")                 ? "registers only delay"
          : has("brdf") || has("equal") ? "all of it"
          : has("range")                ? "all but the BRDF"
+         : has("states")               ? "ports and registers over time"
                                        : "-";
 }
 
@@ -106,7 +107,12 @@ constexpr const char* kHead =
     "test with the label `long`; [long-runs.md](long-runs.md) says whether it ran.\n"
     "* *Proved*: by SAT against a reference written by hand, see [verilog.md](verilog.md#proofs-yosys-sat). "
     "Of a "
-    "pipeline: that its registers only delay, so that its results are those of the device without them.\n"
+    "pipeline: that its registers only delay, so that its results are those of the device without them. Of "
+    "another "
+    "device with start and ready, without a reference: *ports and registers over time*, what its states.v "
+    "says of "
+    "ready, "
+    "valid, holding and the ranges of registers.\n"
     "* *Mutants*: faults in the Verilog that no test notices are alive; equivalent ones change no output. "
     "See "
     "[mutation.md](mutation.md).\n"

@@ -16,6 +16,7 @@
 #     replayed           rows that Icarus repeats, 3000
 #     beside             formats whose ports beside the enumerated ones run through all their codes
 #     exhaustive         formats whose inputs are all tried
+#     stated             formats in which states.v is proved
 #     state_faults       NAME SED...: faults in the device's Verilog that the proof of states.v has to notice
 #     covered, mutated   formats whose coverage is counted, whose mutants are tried: of the first 200 in a test
 #   tables.cmake   declares programs, targets and tests of tables that only this device has
@@ -48,6 +49,7 @@ function(blysk_device_tests device)
   set(covered q8 q12 q16)
   set(mutated q8 q12)
   set(state_faults "")
+  set(stated ${blysk_checked_formats})
   include(${own}/tests.cmake OPTIONAL)
   set(reference ${own}/reference.v)
   set(tables ${PROJECT_SOURCE_DIR}/docs/tables/${identifier})
@@ -156,7 +158,7 @@ function(blysk_device_tests device)
       endif()
     elseif(family STREQUAL pipelined AND format IN_LIST blysk_checked_formats)
       string(APPEND known " proved wiring proved stand proved control")
-    elseif(EXISTS ${own}/states.v AND format IN_LIST blysk_checked_formats)
+    elseif(EXISTS ${own}/states.v AND format IN_LIST stated)
       string(APPEND known " proved states")
     endif()
     set_property(GLOBAL APPEND_STRING PROPERTY blysk_known_of_formats "${known}\n")
@@ -245,7 +247,7 @@ endfunction()
 # What a device's states.v says is proved, and the proof notices faults. Uses the variables of blysk_device_tests().
 function(blysk_states_tests device)
   set(prove ${CMAKE_CURRENT_SOURCE_DIR}/states.sh)
-  foreach(format IN LISTS blysk_checked_formats)
+  foreach(format IN LISTS stated)
     blysk_verilog_of(${device} ${format})
     add_test(NAME cosim.${device}.formal.${format}.states COMMAND ${prove} ${verilog_folder} ${own}/states.v ${format})
     blysk_label(full cosim.${device}.formal.${format}.states)

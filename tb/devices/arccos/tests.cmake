@@ -6,6 +6,7 @@ set(simulated 300000)  # inputs that SystemC takes one after the other; each tak
 set(covered q8)
 set(mutated q8)
 set(beside "")  # there are no other ports
+set(stated q8 q12 q16)  # q24 was not waited for
 # What the proof of states.v has to notice.
 set(state_faults wrong_range "s/left <= STEPS/left < STEPS/"
                  changed_hold "s/else if (flag)/else/"
