@@ -3,7 +3,9 @@
 // What blysk knows of it, and the digest of its modules without this comment:
 //   computes: BRDF = max(0, 1 - r u)/(1 + d u), u = 1 - c, r and d for each n, c = cos(delta); red, green, blue = BRDF (R, G, B) k_s
 //   digest: sha256:4c55b37f59bdbcd33ab9a0560b31751ad9ac43de96936fa7edd0e7464a2d3b52
-//   not known with these options: errors, certificate, iCE40, iCE40 with DSP, iCE40 HX8K, OSU018, settling
+//   error against c^n, every code of the cosine: at most 0.0249206 (n = 148, c = 0.988037109375), bias -5.55317e-05; 4097000 inputs, n in 1..1000, exhaustive
+//   error against c^n, pixels of a lit sphere, 512 x 512: at most 0.11739 (n = 1000, c = 0.9998681020194962), bias -9.7772e-05; 146779000 inputs, n in 1..1000, exhaustive
+//   not known with these options: certificate, iCE40, iCE40 with DSP, iCE40 HX8K, OSU018, settling
 `default_nettype none
 
 module blysk_rational_q12 (

@@ -73,7 +73,7 @@ case $action in
       read_rtlil whole.il
       $miter; dffunmap; opt_clean
       sat -set-assumes -seq $((steps + 1)) -set-at 1 in_rst_n 0 -prove trigger 0 -prove-skip 1 -verify miter
-      sat -set-assumes -tempinduct -tempinduct-inductonly -initsteps $steps -maxsteps $steps -prove trigger 0 -verify miter"
+      sat -set-assumes -tempinduct -tempinduct-inductonly -maxsteps $steps -prove trigger 0 -verify miter"
     ;;
   *) usage ;;
 esac
