@@ -291,8 +291,8 @@ std::map<std::string, std::string> read_reasons(const std::string& path) {
     if (line.starts_with('#')) continue;
     const std::size_t tab = line.find('\t');
     if (tab == std::string::npos || tab + 1 == line.size())
-      throw std::runtime_error(path + ": expected NUMBER | BLOCK | FAULT, a tab, the reason, not '" + line +
-                               "'");
+      throw std::runtime_error(
+          fmt::format("{}: expected NUMBER | BLOCK | FAULT, a tab, the reason, not '{}'", path, line));
     reasons[line.substr(0, tab)] = line.substr(tab + 1);
   }
   return reasons;

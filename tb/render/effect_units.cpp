@@ -34,7 +34,7 @@ bool adds_up_effects(const selection& device) {
 
 selection choose_effect_units(const std::string& format) {
   for (const device* each : devices()) {
-    const selection chosen = choose(each->name(), format);
+    selection chosen = choose(each->name(), format);
     if (adds_up_effects(chosen)) return chosen;
   }
   throw std::logic_error("no device adds up effects");

@@ -14,7 +14,7 @@ set(faults wrong_most equal "s/MOST = 255/MOST = 254/"
            wrong_first equal "s/first_i ? ambient/!first_i ? ambient/"
            wrong_half equal "s/24'h8000/24'h7fff/"
            wrong_range range "s/<= MOST/< MOST/"
-           wrong_stand stand "s/rst_n && valid_o && stall_i/rst_n \&\& stall_i/")
+           wrong_stand stand "s/stands <= rst_n && valid_o/stands <= rst_n/")
 while(faults)
   list(POP_FRONT faults name property fault)
   add_test(NAME cosim.${device}.formal.${name} COMMAND ${prove} ${verilog_folder} ${reference} q8 ${property} ${fault})
