@@ -12,7 +12,6 @@
 #                        pipelined: a device of tb/specular/pipelined.h
 #     unpiped            of a pipelined one: the device without registers between its blocks
 #     changed_reference  a sed command that spoils the inner result of reference.v, for family specular
-#     range              property of tb/specular/formal/formal.sh that says what the BRDF does not exceed
 #     protocol           strobes, handshake, or none: nothing is written to it
 #     replayed           rows that Icarus repeats, 3000
 #     beside             formats whose ports beside the enumerated ones run through all their codes
@@ -43,7 +42,6 @@ function(blysk_device_tests device)
   set(own ${PROJECT_SOURCE_DIR}/tb/devices/${identifier})
   set(family "")
   set(changed_reference "")
-  set(range range)
   set(protocol strobes)
   set(replayed 3000)
   set(beside q8 q12)
@@ -272,12 +270,8 @@ function(blysk_specular_tests device)
     foreach(format IN LISTS blysk_checked_formats)
       blysk_verilog_of(${device} ${format})
       foreach(property range hold registers colours)
-        set(proved ${property})
-        if(property STREQUAL range)
-          set(proved ${range})
-        endif()
         add_test(NAME cosim.${device}.formal.${format}.${property}
-                 COMMAND ${prove} ${verilog_folder} ${reference} ${format} ${proved})
+                 COMMAND ${prove} ${verilog_folder} ${reference} ${format} ${property})
         if(format STREQUAL q24 AND property STREQUAL range)
           blysk_label(long cosim.${device}.formal.${format}.${property})
         else()
@@ -289,7 +283,7 @@ function(blysk_specular_tests device)
     add_test(NAME cosim.${device}.formal.q8.brdf COMMAND ${prove} ${verilog_folder} ${reference} q8 brdf)
     blysk_label(full cosim.${device}.formal.q8.brdf)
     # The proof fails if the reference or the property is spoilt.
-    set(faults wrong_range ${range} "s/brdf <= ONE/brdf < ONE/"
+    set(faults wrong_range range "s/brdf <= ONE/brdf < ONE/"
                wrong_hold hold "s/n == n_before/n == n_i/"
                changed_registers registers "s/if (g_we_i) g_ks/if (r_we_i) g_ks/"
                changed_strobe registers "s/strobe17 & ~cos_we_i/strobe17/"

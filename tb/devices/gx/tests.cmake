@@ -5,4 +5,3 @@ set(has_bound ON)     # within which its BRDF is that of its formula
 set(covered q8)
 set(mutated q8)
 set(changed_reference "s/(quotient + 1) >> 1/quotient >> 1/")  # the BRDF of reference.v rounded down
-set(range range_of_exponents)  # n = 0 and cos = 0, as after a reset, have 0/0

@@ -3,7 +3,6 @@
 # formal.sh VERILOG_FOLDER REFERENCE FORMAT PROPERTY [FAULT]: proves a property of an exported device that has the registers
 # and colour multipliers of rtl_sysc/devices/specular.h, with yosys' SAT solver. REFERENCE is its reference.v.
 #   range      by induction: the BRDF is at most 1, and no output exceeds its colour
-#   range_of_exponents  the same where n is not 0, what it is after a reset
 #   hold       by induction: registers hold while no strobe writes them; outputs depend on nothing but registers
 #   registers  by induction: the registers and output 29 are those of the reference
 #   brdf       from registers 1 and 2 to the BRDF it is the reference, for every n <= 1000 and legal cosine
@@ -13,7 +12,7 @@
 set -euo pipefail
 self=$(readlink -f "${BASH_SOURCE[0]}")
 if [ ! -d "${1:-}" ] || [ ! -f "${2:-}" ] || [[ ! ${3:-} =~ ^q[0-9]+$ ]]; then
-  sed -n '3,12s/^# //p' "$self" >&2
+  sed -n '3,11s/^# //p' "$self" >&2
   exit 2
 fi
 verilog=$1 format=$3 property=${4:-} fault=${5:-}
@@ -59,14 +58,13 @@ nets() { printf "$1/w:%s " "${@:2}"; }
 sequential() {
   yosys -q -p "$device; expose $(nets device n cos_delta r_ks g_ks b_ks brdf)
     $reference; expose $(nets reference n cos_delta r_ks g_ks b_ks brdf strobe17)
-    $(properties formal -D PROVE_"$1" "${@:2}")
+    $(properties formal -D PROVE_"$1")
     proc; flatten; $lower; opt -full; techmap; opt -full
     sat -tempinduct -maxsteps 3 -prove-asserts -set-assumes -verify formal"
 }
 
 case $property in
   range) sequential RANGE ;;
-  range_of_exponents) sequential RANGE -D OF_EXPONENTS ;;
   hold)
     # The combinational cone of 25..27 reaches the five registers and no input.
     yosys -q -p "$device
@@ -95,7 +93,7 @@ case $property in
       sat -prove-asserts -verify formal_colours"
     ;;
   *)
-    sed -n '3,12s/^# //p' "$self" >&2
+    sed -n '3,11s/^# //p' "$self" >&2
     exit 2
     ;;
 esac

@@ -54,13 +54,8 @@ module formal #(
   end
 
 `ifdef PROVE_RANGE
-`ifdef OF_EXPONENTS
-  wire looked_at = n != 0;
-`else
-  wire looked_at = 1;
-`endif
-  always @* if (started) assert (cos_delta <= ONE);
-  always @* if (started && looked_at) begin
+  always @* if (started) begin
+    assert (cos_delta <= ONE);
     assert (brdf <= ONE);
     assert (r_o <= r_ks * ONE);
     assert (g_o <= g_ks * ONE);
