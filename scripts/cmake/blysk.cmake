@@ -7,9 +7,8 @@ target_compile_options(blysk_options INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion
   $<$<BOOL:${BLYSK_WERROR}>:-Werror>)
 
-# Headers that many sources include are parsed once for all: a quarter of the time of a clean build. clang refuses them where
-# options differ, sanitizers differ by folder, and ccache keeps such objects only with
-# CCACHE_SLOPPINESS=pch_defines,time_macros.
+# Headers that many sources include are parsed once for all. Not with clang, which refuses them where options differ, nor with
+# sanitizers, whose options differ by folder. ccache keeps such objects only with CCACHE_SLOPPINESS=pch_defines,time_macros.
 if(NOT CMAKE_CXX_COMPILER_ID STREQUAL GNU OR BLYSK_SANITIZERS)
   set(CMAKE_DISABLE_PRECOMPILE_HEADERS ON)
 endif()
