@@ -19,6 +19,7 @@
 #include "tb/cli/verbs.h"
 #include "tb/cli/whole_number.h"
 #include "tb/device_arguments.h"
+#include "tb/harness/process_counter.h"
 #include "tb/harness/systemc_engine.h"
 #include "tb/output_file.h"
 #include "tb/progress.h"
@@ -42,6 +43,7 @@ struct options {
   std::string shading = "phong";
   std::string perspective = "corrected";
   std::string inner_check = "on";
+  std::string normalisation = "none";
   std::string renderer = "z-buffer";
   std::string segment_measure = "cie76";
   std::string segment_inner = "mean";
@@ -212,7 +214,7 @@ class asked_units {
  public:
   asked_units(const options& asked, const selection& shades) {
     if (asked.units == "bit") return;
-    const selection device = render::choose_effect_units(shades.format());
+    const selection device = render::choose_effect_units(shades.format(), asked.normalisation != "none");
     render::expect_fitting({device, nullptr, asked.units}, shades);
     engine_ = std::make_unique<unit_engine>(asked.units, device);
     source_ = render::unit_source{device, engine_.get(), asked.units};
@@ -294,9 +296,13 @@ std::optional<render::rectangle> watch_of(const options& asked, const render::jo
 
 /// What the scene file says where the command line says nothing.
 void take_presets(const CLI::App& verb, const std::map<std::string, std::string>& from, options& to) {
-  const std::map<std::string, std::string*> places{
-      {"size", &to.size},     {"shading", &to.shading},      {"perspective", &to.perspective},
-      {"engine", &to.engine}, {"device", &to.device.device}, {"format", &to.device.format}};
+  const std::map<std::string, std::string*> places{{"size", &to.size},
+                                                   {"shading", &to.shading},
+                                                   {"perspective", &to.perspective},
+                                                   {"engine", &to.engine},
+                                                   {"device", &to.device.device},
+                                                   {"format", &to.device.format},
+                                                   {"normalisation", &to.normalisation}};
   for (const auto& [name, value] : from) {
     if (verb.get_option("--" + name)->count() == 0) *places.at(name) = value;
   }
@@ -339,6 +345,23 @@ class waves {
   bool is_running_ = false;
   bool is_whole_ = true;
 };
+
+render::normalisation normalisation_of(const std::string& name) {
+  std::vector<std::string_view> names;
+  for (const render::named_normalisation& each : render::kNormalisations) {
+    if (each.name == name) return each.is;
+    names.push_back(each.name);
+  }
+  throw usage_error(
+      fmt::format("normalisation {} does not exist, expected {}", printable(name), fmt::join(names, ", ")));
+}
+
+render::inner_colours inner_colours_of(const std::string& name) {
+  for (const render::named_inner_colours& each : render::kInnerColours) {
+    if (each.name == name) return each.are;
+  }
+  throw usage_error(fmt::format("inner colours {} do not exist", printable(name)));
+}
 
 /// The files that were asked for: opened first, so that none is written if one cannot be.
 class result_files {
@@ -428,6 +451,12 @@ void run(const CLI::App& verb, options asked) {
     fmt::print(stderr, "blysk: {}: {}\n", printable(asked.scene), printable(each));
   const engine_choice& choice = find_engine(asked.engine);
   const selection device = asked.device.choose(choice.serves);
+  const render::normalisation energy = normalisation_of(asked.normalisation);
+  // What the report says of processes takes time, and is counted for it alone.
+  std::optional<harness::process_counter> processes;
+  if (!asked.report.empty() &&
+      (asked.engine == "systemc" || asked.units == "systemc" || !asked.watch.empty()))
+    processes.emplace();
   job_engines engines(choice, device);
   const bool is_clocked = asked.engine == "systemc" || asked.engine == "verilator";
   const render::device_source source{
@@ -448,13 +477,12 @@ void run(const CLI::App& verb, options asked) {
   job.is_corrected = asked.perspective == "corrected";
   job.asked = asked.effects == "all" ? render::effects::all : render::effects::automatic;
   job.checks_triangles = asked.inner_check == "on";
+  job.energy = energy;
   if (asked.renderer == "segments") {
     job.by_segments = asked.by_segments;
     job.by_segments->measure =
         asked.segment_measure == "rgb" ? render::colour_measure::rgb : render::colour_measure::cie76;
-    job.by_segments->inner = asked.segment_inner == "mean"     ? render::inner_colours::mean
-                             : asked.segment_inner == "linear" ? render::inner_colours::linear
-                                                               : render::inner_colours::cubic;
+    job.by_segments->inner = inner_colours_of(asked.segment_inner);
     if (!job.shading->is_by_pixel || !asked.watch.empty())
       throw usage_error("renderer segments traces pixels, expected shading phong and no --watch");
   }
@@ -468,6 +496,7 @@ void run(const CLI::App& verb, options asked) {
     in.cycles = engines.cycles() + in.unit_cycles;
     in.simulated_ns = static_cast<double>(in.cycles) * harness::kClockPeriodNs;
     in.delta_cycles = in.cycles > 0 ? sc_core::sc_delta_count() : 0;
+    if (processes) in.process_runs = processes->runs();
     list_modules(sc_core::sc_get_top_level_objects(), in.blocks);
     in.messages = read.of.messages;
     return in;
@@ -559,12 +588,22 @@ void add_render(CLI::App& program) {
                    "of that difference; cie76: in CIELAB; rgb: of the codes 0..255")
       ->check(CLI::IsMember({"cie76", "rgb"}))
       ->capture_default_str();
-  verb->add_option("--segment-inner", asked->segment_inner, "how the pixels between are interpolated")
-      ->check(CLI::IsMember({"mean", "linear", "cubic"}))
+  std::vector<std::string> inner;
+  for (const render::named_inner_colours& each : render::kInnerColours) inner.emplace_back(each.name);
+  verb->add_option("--segment-inner", asked->segment_inner,
+                   "how the pixels between are interpolated; bilinear: in blocks of as many rows as pixels, "
+                   "from their four corners")
+      ->check(CLI::IsMember(inner))
       ->capture_default_str();
   verb->add_option("--inner-check", asked->inner_check,
                    "on: triangles that no highlight can lie in are left out as a whole; off: pixel by pixel")
       ->check(CLI::IsMember({"on", "off"}))
+      ->capture_default_str();
+  std::string factors;
+  for (const render::named_normalisation& each : render::kNormalisations)
+    factors += fmt::format("{}{}: {}", factors.empty() ? "" : "; ", each.name, each.formula);
+  verb->add_option("--normalisation", asked->normalisation,
+                   "energy factor of the specular terms, n the exponent; " + factors)
       ->capture_default_str();
   verb->add_flag("--explain", asked->explains, "print the plan: which effects are computed, and why");
   verb->add_option("--size", asked->size, "WIDTHxHEIGHT in pixels")->capture_default_str();

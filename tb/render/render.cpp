@@ -190,7 +190,9 @@ class frame {
         for (const std::uint32_t pixel : pixels) resolve_traced(pixel);
       });
     };
-    made_.by_segments = fill_by_segments(made_.image, *job_.by_segments, trace);
+    const bool by_blocks = job_.by_segments->inner == inner_colours::bilinear;
+    made_.by_segments =
+        (by_blocks ? fill_by_blocks : fill_by_segments)(made_.image, *job_.by_segments, trace);
     for (const shader& each : shaders) add_costs(each, threads);
     split_times(made_.host_s["shading"]);
     made_.points = made_.by_segments->traced;
@@ -272,7 +274,7 @@ class frame {
     for_each(points_->size(), job_.threads, [&](std::size_t i, point_source::cursor& near, unsigned) {
       point at;
       if (!points_->at(i, near, at)) return;
-      const auto colour = reference_colour(world_, lights_, view_.eye(), at);
+      const auto colour = reference_colour(world_, lights_, view_.eye(), at, job_.energy);
       for (std::size_t channel = 0; channel < 3; ++channel)
         real_[i][channel] = static_cast<float>(std::min(colour[channel], 255.0));
     });
@@ -363,14 +365,20 @@ plan plan_of(const job& asked) {
   const selection& device = asked.device->device;
   const device_ports ports(device);
   if (asked.units != nullptr) expect_fitting(*asked.units, device);
+  if (asked.energy != normalisation::none && !ports.is_limited()) {
+    throw std::invalid_argument(
+        fmt::format("an energy factor multiplies colours of 0..255, and {} puts out more, expected a device "
+                    "with options that limit it to 255",
+                    device.text()));
+  }
   std::unique_ptr<engine> law;
   std::optional<lobe_table> table;
   if (needs_device(*asked.of, asked.asked)) {
     law = asked.device->make_law();
     table.emplace(device, *law);
   }
-  plan made =
-      make_plan(*asked.of, asked.asked, table ? &*table : nullptr, ports.cos_fraction(), device.top_name());
+  plan made = make_plan(*asked.of, asked.asked, table ? &*table : nullptr, ports.cos_fraction(),
+                        device.top_name(), asked.energy);
   if (asked.units != nullptr) {
     made.reasons.push_back(fmt::format("ambient, diffuse, the sum and saturation run in {}, engine {}",
                                        asked.units->device.top_name(), asked.units->name));

@@ -47,7 +47,8 @@ struct job {
   const shading_method* shading;
   bool is_corrected = true;  ///< perspective correction
   effects asked = effects::automatic;
-  bool checks_triangles = true;  ///< the inner specular check, if effects are automatic
+  bool checks_triangles = true;                ///< the inner specular check, if effects are automatic
+  normalisation energy = normalisation::none;  ///< of the specular terms
   unsigned threads = 1;
   const device_source* device;
   const unit_source* units = nullptr;  ///< of the effects; null: their laws on the host
@@ -80,8 +81,8 @@ struct outcome {
 /// The plan alone.
 plan plan_of(const job& asked);
 
-/// \throws std::invalid_argument for a device that does not shade points or does not fit the effect units, and for segments that are watched or not shaded
-/// pixel by pixel
+/// \throws std::invalid_argument for a device that does not shade points or does not fit the effect units or an energy factor, and
+/// for segments that are watched or not shaded pixel by pixel
 outcome render(const job& asked);
 
 }  // namespace blysk::render

@@ -23,6 +23,10 @@ double frame_s(const outcome& of) {
   return sum;
 }
 
+const named_normalisation& find(normalisation which) {
+  return *std::ranges::find(kNormalisations, which, &named_normalisation::is);
+}
+
 }  // namespace
 
 distance distance_of(const picture& reference, const picture& image) {
@@ -64,6 +68,7 @@ std::string report_json(const job& asked, const outcome& of, const circumstances
                                 {"effects", asked.asked == effects::all ? "all" : "auto"},
                                 {"shading", in.shading},
                                 {"perspective", in.is_corrected ? "corrected" : "screen"},
+                                {"normalisation", find(asked.energy).name},
                                 {"width", asked.width},
                                 {"height", asked.height},
                                 {"lights", asked.of->lights.size()},
@@ -86,6 +91,7 @@ std::string report_json(const job& asked, const outcome& of, const circumstances
                                 {"simulated_ns", in.simulated_ns},
                                 {"cycles", in.cycles},
                                 {"delta_cycles", in.delta_cycles},
+                                {"process_runs", in.process_runs.value_or(0)},
                                 {"nmse", off.nmse},
                                 {"verdict", verdict(off.nmse)},
                                 {"psnr_db", nullptr},
@@ -134,6 +140,7 @@ std::string report_table(const job& asked, const outcome& of, const circumstance
     row("effect units", fmt::format("{}, engine {}: {} lights of {} points", asked.units->device.top_name(),
                                     asked.units->name, of.unit_rows, of.points));
   }
+  if (asked.energy != normalisation::none) row("energy factor", std::string(find(asked.energy).formula));
   row("pixels in a highlight", fmt::format("{}", of.pixels_in_highlight));
   row("device writes",
       fmt::format("{} of {} points times {} lights", of.device_writes, of.points, asked.of->lights.size()));
@@ -149,9 +156,11 @@ std::string report_table(const job& asked, const outcome& of, const circumstance
     row("inner specular check", fmt::format("{} triangles left out, {} tests of pixels spared",
                                             of.triangles_left_out, of.tests_left_out));
   }
-  if (in.cycles > 0)
+  if (in.cycles > 0) {
     row("simulated",
-        fmt::format("{} ns, {} clock cycles, {} delta cycles", in.simulated_ns, in.cycles, in.delta_cycles));
+        fmt::format("{} ns, {} clock cycles, {} delta cycles{}", in.simulated_ns, in.cycles, in.delta_cycles,
+                    in.process_runs ? fmt::format(", {} runs of processes", *in.process_runs) : ""));
+  }
   row("against Blinn's model",
       fmt::format("NMSE {:.2e} ({}), {}, {} pixels off by 3/255 or more, largest {}", off.nmse,
                   verdict(off.nmse), off.psnr_db ? fmt::format("PSNR {:.1f} dB", *off.psnr_db) : "equal",

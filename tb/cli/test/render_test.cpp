@@ -161,6 +161,64 @@ TEST_CASE("the effect units in hardware change no bit of the picture", "[cli][re
   CHECK(slurp(folder.path("p.png")) == slurp(folder.path("host.png")));
 }
 
+TEST_CASE("an energy factor is the same on the host and in hardware", "[cli][render]") {
+  const scratch folder;
+  folder.write("three.json",
+               R"({"mesh": "spheres", "normalisation": "blinn", "lights": [{"direction": [1, 1, 1]},
+    {"position": [-4, 5, 3], "colour": [0.6, 0.3, 0.1]}]})");
+  const std::string plain_scene = std::string("spheres") + kSmall;
+  const json plain = rendered(folder, plain_scene, "plain.png");
+  CHECK(plain["normalisation"] == "none");
+  rendered(folder, plain_scene + "--normalisation none");
+  CHECK(slurp(folder.path("p.png")) == slurp(folder.path("plain.png")));
+  for (const std::string& scene :
+       {in(folder, "three.json") + kSmall, plain_scene + "--normalisation thesis "}) {
+    const json host = rendered(folder, scene, "host.png");
+    const std::string picture = slurp(folder.path("host.png"));
+    CHECK(picture != slurp(folder.path("plain.png")));
+    CHECK(host["normalisation"] == (scene.find("thesis") != std::string::npos ? "thesis" : "blinn"));
+    CHECK(host["nmse"].get<double>() < 0.05);  // against Blinn's picture with the factor
+    CHECK(std::ranges::count(host["units"], "energy") == 1);
+    for (const char* options :
+         {"--effects all", "--units systemc", "--units verilator --engine verilator",
+          "--units systemc --engine systemc --effects all", "--watch 20,18,12,4", "--threads 3"}) {
+      CAPTURE(scene, options);
+      const json report = rendered(folder, scene + options);
+      CHECK(slurp(folder.path("p.png")) == picture);
+      CHECK(report["nmse"] == host["nmse"]);
+    }
+  }
+  CHECK(run_blysk(folder, "render sphere --explain --normalisation thesis")
+            .out.find("; energy factor 2.28106") != std::string::npos);
+  refuses(folder, "sphere --normalisation most",
+          "normalisation most does not exist, expected none, thesis, blinn");
+  refuses(folder, "sphere --normalisation blinn --as-published",
+          "expected a device with options that limit it to 255");
+}
+
+TEST_CASE("the runs of processes are counted where there are any", "[cli][render]") {
+  const scratch folder;
+  const std::string scene = std::string("sphere") + kSmall;
+  CHECK(rendered(folder, scene)["process_runs"] == 0);
+  const json one = rendered(folder, scene + "--engine systemc");
+  const json both = rendered(folder, scene + "--engine systemc --units systemc");
+  // A write takes two cycles: four edges of the clock, and more than one block runs after each of two.
+  const auto runs = one["process_runs"].get<std::uint64_t>();
+  CHECK(runs > 2 * one["cycles"].get<std::uint64_t>() + one["device_writes"].get<std::uint64_t>() * 4);
+  CHECK(runs > one["delta_cycles"].get<std::uint64_t>());
+  CHECK(runs < 10 * one["delta_cycles"].get<std::uint64_t>());
+  CHECK(both["process_runs"].get<std::uint64_t>() > 2 * runs);
+  // Nothing is different without the report.
+  const outcome shown =
+      run_blysk(folder, "render " + scene + "--engine systemc --output " + in(folder, "q.png"));
+  CHECK(slurp(folder.path("q.png")) == slurp(folder.path("p.png")));
+  CHECK(shown.out.find("delta cycles\n") != std::string::npos);
+  const outcome counted =
+      run_blysk(folder, "render " + scene + "--engine systemc --report " + in(folder, "q.json"));
+  CHECK(counted.out.find(fmt::format("{} delta cycles, {} runs of processes\n",
+                                     one["delta_cycles"].get<std::uint64_t>(), runs)) != std::string::npos);
+}
+
 TEST_CASE("the waves of the effect units are those of what is watched", "[cli][render]") {
   const scratch folder;
   const std::string scene = std::string("sphere") + kSmall + "--units systemc ";
@@ -242,6 +300,12 @@ TEST_CASE("segments are another renderer", "[cli][render]") {
   CHECK(some["device_writes"] < whole["device_writes"]);
   refuses(folder, scene + "--renderer segments --shading flat", "expected shading phong and no --watch");
   refuses(folder, scene + "--renderer segments --watch 1,1", "expected shading phong and no --watch");
+  const json blocks = rendered(folder, scene + "--renderer segments --segment-inner bilinear");
+  CHECK(blocks["segments"]["pixels_traced"] < 64 * 48);
+  CHECK(blocks["segments"]["elements_2_29"] == 9 * 7);
+  rendered(folder, scene + "--renderer segments --segment-inner bilinear --segment 1");
+  CHECK(slurp(folder.path("p.png")) == picture);
+  refuses(folder, scene + "--renderer segments --segment-inner biquadratic", "--segment-inner");
   refuses(folder, scene + "--renderer segments --segment 0", "--segment");
   refuses(folder, scene + "--renderer segments --segment-limit nan", "--segment-limit");
   refuses(folder, scene + "--renderer segments --segment-measure lab", "--segment-measure");

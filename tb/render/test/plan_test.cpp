@@ -23,12 +23,13 @@ using namespace blysk::render;
 using source = test::picture_source;
 
 outcome picture_of(const scene::world& of, const source& from, effects asked, const char* shading = "phong",
-                   int side = 20) {
+                   int side = 20, normalisation energy = normalisation::none) {
   const job asked_for{.of = &of,
                       .width = side,
                       .height = side,
                       .shading = &find_shading(shading),
                       .asked = asked,
+                      .energy = energy,
                       .device = from.of()};
   return render::render(asked_for);
 }
@@ -62,9 +63,10 @@ void compare(std::uint64_t first_seed, std::uint64_t count) {
     const char* shading = kShadings[maker.below(kShadings.size())];
     const source from(choose(device.name(), format, {}, is_formula ? purpose::formula : purpose::hardware),
                       is_formula);
-    const outcome few = picture_of(of, from, effects::automatic, shading);
-    const outcome every = picture_of(of, from, effects::all, shading);
-    CAPTURE(seed, device.name(), format, is_formula, shading);
+    const normalisation energy = kNormalisations[maker.below(kNormalisations.size())].is;
+    const outcome few = picture_of(of, from, effects::automatic, shading, 20, energy);
+    const outcome every = picture_of(of, from, effects::all, shading, 20, energy);
+    CAPTURE(seed, device.name(), format, is_formula, shading, energy);
     REQUIRE(few.image.rgb == every.image.rgb);
     REQUIRE(few.pixels_in_highlight == every.pixels_in_highlight);
     REQUIRE(every.device_writes == every.points * of.lights.size());
