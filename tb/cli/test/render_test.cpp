@@ -101,6 +101,23 @@ TEST_CASE("engines, threads, watched pixels and left out effects change no bit o
   }
 }
 
+TEST_CASE("test models of assimp look the same with all effects under every engine", "[cli][render]") {
+  const scratch folder;
+  std::size_t lit = 0;
+  for (const char* name : {"3DS/test1.3ds", "3DS/cube_with_diffuse_texture.3DS", "OBJ/regr01.obj",
+                           "OBJ/box.obj", "OBJ/WusonOBJ.obj"}) {
+    const std::string model = quoted(std::string("/usr/share/assimp/models/") + name) + " --size 40x40 ";
+    for (const char* engine : {"bit", "systemc", "verilator", "golden"}) {
+      CAPTURE(name, engine);
+      const json few = rendered(folder, model + "--engine " + engine, "few.png");
+      rendered(folder, model + "--effects all --engine " + engine, "all.png");
+      CHECK(slurp(folder.path("few.png")) == slurp(folder.path("all.png")));
+      lit += few["pixels_in_highlight"] > 0 ? 1U : 0U;
+    }
+  }
+  CHECK(lit == 4 * 4);
+}
+
 TEST_CASE("a scene without highlights has no device and no clock", "[cli][render]") {
   const scratch folder;
   folder.write("dull.json", R"({"mesh": "sphere", "materials": {"*": {"ks": [0, 0, 0]}}})");
