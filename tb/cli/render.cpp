@@ -44,6 +44,7 @@ struct options {
   std::string perspective = "corrected";
   std::string inner_check = "on";
   std::string normalisation = "none";
+  std::string spans = "host";
   std::string renderer = "z-buffer";
   std::string segment_measure = "cie76";
   std::string segment_inner = "mean";
@@ -207,6 +208,31 @@ class unit_engine final : public engine {
   std::unique_ptr<clocked_engine> through_;
   harness::systemc_engine* systemc_ = nullptr;
   std::uint64_t cycles_ = 0;
+};
+
+/// What --spans asks for; nothing where the host interpolates.
+class asked_spans {
+ public:
+  asked_spans(const options& asked, const std::string& format) {
+    if (asked.spans == "host") return;
+    if (asked.shading != "gouraud")
+      throw usage_error("--spans draws lines between colours of corners, expected --shading gouraud");
+    const selection device = render::choose_span_device(format);
+    if (asked.spans == "bit") {
+      model_ = device.of().make_bit(device);
+    } else {
+      hardware_ = std::make_unique<unit_engine>(asked.spans, device);
+    }
+    source_ = render::span_source{device, model_ ? model_.get() : hardware_.get(), asked.spans};
+  }
+
+  const render::span_source* source() const { return source_ ? &*source_ : nullptr; }
+  std::uint64_t cycles() const { return hardware_ ? hardware_->cycles() : 0; }
+
+ private:
+  std::unique_ptr<engine> model_;
+  std::unique_ptr<unit_engine> hardware_;
+  std::optional<render::span_source> source_;
 };
 
 /// What --units asks for; nothing where the host adds up the effects.
@@ -454,8 +480,8 @@ void run(const CLI::App& verb, options asked) {
   const render::normalisation energy = normalisation_of(asked.normalisation);
   // What the report says of processes takes time, and is counted for it alone.
   std::optional<harness::process_counter> processes;
-  if (!asked.report.empty() &&
-      (asked.engine == "systemc" || asked.units == "systemc" || !asked.watch.empty()))
+  if (!asked.report.empty() && (asked.engine == "systemc" || asked.units == "systemc" ||
+                                asked.spans == "systemc" || !asked.watch.empty()))
     processes.emplace();
   job_engines engines(choice, device);
   const bool is_clocked = asked.engine == "systemc" || asked.engine == "verilator";
@@ -466,10 +492,12 @@ void run(const CLI::App& verb, options asked) {
                                                  : device.of().make_bit(device);
       }};
   asked_units units(asked, device);
+  const asked_spans spans(asked, device.format());
   render::job job{.of = &read.of,
                   .shading = &render::find_shading(asked.shading),
                   .device = &source,
-                  .units = units.source()};
+                  .units = units.source(),
+                  .spans = spans.source()};
   set_size(asked, job);
   if (asked.perspective != "corrected" && asked.perspective != "screen")
     throw usage_error(
@@ -493,7 +521,7 @@ void run(const CLI::App& verb, options asked) {
                              asked.shading,    device,
                              job.is_corrected, is_clocked || job.units != nullptr ? 1 : job.threads};
     in.unit_cycles = units.cycles();
-    in.cycles = engines.cycles() + in.unit_cycles;
+    in.cycles = engines.cycles() + in.unit_cycles + spans.cycles();
     in.simulated_ns = static_cast<double>(in.cycles) * harness::kClockPeriodNs;
     in.delta_cycles = in.cycles > 0 ? sc_core::sc_delta_count() : 0;
     if (processes) in.process_runs = processes->runs();
@@ -598,6 +626,12 @@ void add_render(CLI::App& program) {
   verb->add_option("--inner-check", asked->inner_check,
                    "on: triangles that no highlight can lie in are left out as a whole; off: pixel by pixel")
       ->check(CLI::IsMember({"on", "off"}))
+      ->capture_default_str();
+  verb->add_option("--spans", asked->spans,
+                   "of shading gouraud: how the pixels of a triangle's row get their colours; host: in "
+                   "double; bit, systemc, "
+                   "verilator: a device draws a line between the colours of its ends, dividing by shifts")
+      ->check(CLI::IsMember({"host", "bit", "systemc", "verilator"}))
       ->capture_default_str();
   std::string factors;
   for (const render::named_normalisation& each : render::kNormalisations)

@@ -70,6 +70,7 @@ class frame {
     }
     timed("reference", [&] { shade_reference(); });
     timed("picture", [&] { resolve(); });
+    if (job_.spans != nullptr) draw_spans();
     count();
     return std::move(made_);
   }
@@ -303,6 +304,30 @@ class frame {
     });
   }
 
+  /// Neighbours in a row that see one triangle are drawn between the colours of the two ends.
+  void draw_spans() {
+    span_drawer drawer(*job_.spans, made_.image);
+    point_source::cursor near;
+    const auto colour_at = [&](int x, int y) {
+      const auto pixel =
+          static_cast<std::size_t>(y) * static_cast<std::size_t>(job_.width) + static_cast<std::size_t>(x);
+      const mixture of = points_->of_pixel(pixel, near);
+      return span_drawer::colour{mixed(of, 0), mixed(of, 1), mixed(of, 2)};
+    };
+    for (int y = 0; y < job_.height; ++y) {
+      const auto seen = seen_.triangle.begin() + std::ptrdiff_t{y} * job_.width;
+      for (int left = 0, behind = 0; left < job_.width; left = behind) {
+        const int most = std::min(job_.width, left + span_drawer::kMostPixels);
+        for (behind = left + 1; behind < most && seen[behind] == seen[left];) ++behind;
+        if (seen[left] == kNoTriangle || behind - left < 2) continue;
+        drawer.add(y, left, behind - 1, colour_at(left, y), colour_at(behind - 1, y));
+      }
+    }
+    drawer.run();
+    made_.span_lines = drawer.lines();
+    made_.host_s["lines"] = drawer.seconds();
+  }
+
   std::uint8_t channel_of_point(std::size_t point, std::size_t channel) const {
     return channels_.empty() ? channel_of(saturated(sums_[point][channel])) : channels_[point][channel];
   }
@@ -400,6 +425,8 @@ outcome render(const job& asked) {
     throw std::invalid_argument("the scene has more than 64 lights, expected at most as many");
   if (asked.by_segments && (asked.watch || !asked.shading->is_by_pixel))
     throw std::invalid_argument("segments are of pixels, expected shading phong and none watched");
+  if (asked.spans != nullptr && asked.shading->name != "gouraud")
+    throw std::invalid_argument("lines are drawn between colours of corners, expected shading gouraud");
   return frame(asked).run();
 }
 

@@ -17,7 +17,7 @@ namespace {
 /// Of everything but reading the scene, the reference and writing the files.
 double frame_s(const outcome& of) {
   double sum = 0;
-  for (const char* phase : {"visibility", "shading", "device", "units"}) {
+  for (const char* phase : {"visibility", "shading", "device", "units", "lines"}) {
     if (const auto found = of.host_s.find(phase); found != of.host_s.end()) sum += found->second;
   }
   return sum;
@@ -84,6 +84,8 @@ std::string report_json(const job& asked, const outcome& of, const circumstances
                                 {"watched_writes", of.watched_writes},
                                 {"units", of.planned.units},
                                 {"units_engine", asked.units != nullptr ? asked.units->name : "bit"},
+                                {"spans_engine", asked.spans != nullptr ? asked.spans->name : "host"},
+                                {"span_lines", of.span_lines},
                                 {"unit_rows", of.unit_rows},
                                 {"unit_cycles", in.unit_cycles},
                                 {"plan", of.planned.reasons},
@@ -139,6 +141,10 @@ std::string report_table(const job& asked, const outcome& of, const circumstance
   if (asked.units != nullptr) {
     row("effect units", fmt::format("{}, engine {}: {} lights of {} points", asked.units->device.top_name(),
                                     asked.units->name, of.unit_rows, of.points));
+  }
+  if (asked.spans != nullptr) {
+    row("lines of pixels",
+        fmt::format("{}, engine {}: {}", asked.spans->device.top_name(), asked.spans->name, of.span_lines));
   }
   if (asked.energy != normalisation::none) row("energy factor", std::string(find(asked.energy).formula));
   row("pixels in a highlight", fmt::format("{}", of.pixels_in_highlight));

@@ -213,6 +213,33 @@ TEST_CASE("an energy factor is the same on the host and in hardware", "[cli][ren
           "expected a device with options that limit it to 255");
 }
 
+TEST_CASE("lines of Gouraud's shading by a device are the same in every engine", "[cli][render]") {
+  const scratch folder;
+  const std::string scene = std::string("torus --shading gouraud") + kSmall;
+  const json host = rendered(folder, scene, "host.png");
+  CHECK(host["spans_engine"] == "host");
+  CHECK(host["span_lines"] == 0);
+  const json model = rendered(folder, scene + "--spans bit", "bit.png");
+  const std::string picture = slurp(folder.path("bit.png"));
+  CHECK(picture != slurp(folder.path("host.png")));
+  CHECK(model["cycles"] == 0);
+  CHECK(model["nmse"].get<double>() == Approx(host["nmse"].get<double>()).epsilon(0.05));
+  for (const char* options :
+       {"--spans systemc", "--spans verilator", "--spans systemc --engine systemc --units systemc",
+        "--spans systemc --engine verilator --threads 3"}) {
+    CAPTURE(options);
+    const json report = rendered(folder, scene + options);
+    CHECK(slurp(folder.path("p.png")) == picture);
+    CHECK(report["span_lines"] == model["span_lines"]);
+    CHECK(report["cycles"] > report["span_lines"]);
+    const bool has_processes = std::string(options).find("systemc") != std::string::npos;
+    CHECK((report["process_runs"] > report["cycles"]) == has_processes);
+  }
+  CHECK(model["span_lines"] > 100);
+  refuses(folder, "sphere --spans bit", "expected --shading gouraud");
+  refuses(folder, "sphere --spans golden --shading gouraud", "--spans");
+}
+
 TEST_CASE("the runs of processes are counted where there are any", "[cli][render]") {
   const scratch folder;
   const std::string scene = std::string("sphere") + kSmall;

@@ -93,6 +93,63 @@ TEST_CASE("random scenes look the same with the effect units as a device", "[ren
   CHECK(coloured < 360);
 }
 
+TEST_CASE("lines by a device are Gouraud's shading to two levels", "[render]") {
+  const selection device = choose_span_device("q12");
+  const auto model = device.of().make_bit(device);
+  const span_source lines{device, model.get(), "model"};
+  const test::picture_source shades(choose(first_device().name(), "q12"), false);
+  std::uint64_t drawn = 0;
+  std::size_t others = 0;
+  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+    test::scene_maker maker(seed);
+    const scene::world of = maker.make();
+    // On the picture a colour is linear along a row of a triangle.
+    job wanted{.of = &of,
+               .width = 40,
+               .height = 30,
+               .shading = &find_shading("gouraud"),
+               .is_corrected = false,
+               .device = shades.of()};
+    const outcome host = render::render(wanted);
+    wanted.spans = &lines;
+    const outcome made = render::render(wanted);
+    CAPTURE(seed);
+    // Half a level of each end, of either picture; and 40 pixels times 255 levels times 2^-13, the digits of the quotient.
+    REQUIRE(distance_of(host.image, made.image).largest <= 2);
+    REQUIRE(made.reference.rgb == host.reference.rgb);
+    REQUIRE(host.span_lines == 0);
+    REQUIRE(made.span_lines <= made.pixels / 2);
+    drawn += made.span_lines;
+    others += host.image.rgb != made.image.rgb ? 1 : 0;
+  }
+  CHECK(drawn > 200);
+  CHECK(others > 10);
+  scene::world ball;
+  ball.surface = scene::make_sphere(8);
+  job refused{.of = &ball, .width = 8, .height = 8, .shading = &find_shading("phong"), .device = shades.of()};
+  refused.spans = &lines;
+  CHECK_THROWS_AS(render::render(refused), std::invalid_argument);
+}
+
+TEST_CASE("a row longer than a line of the device is drawn by two", "[render]") {
+  const selection device = choose_span_device("q18");
+  const auto model = device.of().make_bit(device);
+  const span_source lines{device, model.get(), "model"};
+  picture to(1500, 2);
+  span_drawer drawer(lines, to);
+  drawer.add(1, 0, 1023, {0, 255, 7}, {255, 0, 7});
+  drawer.add(1, 1024, 1499, {255, 0, 7}, {0, 0, 255});
+  drawer.run();
+  CHECK(drawer.lines() == 2);
+  for (int x = 0; x < 1500; ++x) {
+    CHECK(to.pixel(x, 0)[0] == 0);
+    const double share = x < 1024 ? x / 1023.0 : (x - 1024) / 475.0;
+    REQUIRE(std::abs(to.pixel(x, 1)[0] - 255 * (x < 1024 ? share : 1 - share)) <= 1);
+    REQUIRE(std::abs(to.pixel(x, 1)[1] - (x < 1024 ? 255 * (1 - share) : 0)) <= 1);
+    REQUIRE(std::abs(to.pixel(x, 1)[2] - (x < 1024 ? 7 : 7 + 248 * share)) <= 1);
+  }
+}
+
 TEST_CASE("an energy factor multiplies the specular term alone, as double does", "[render]") {
   const int fraction = 16;
   for (const named_normalisation& each : kNormalisations) {
