@@ -45,6 +45,7 @@ struct options {
   std::string inner_check = "on";
   std::string normalisation = "none";
   std::string spans = "host";
+  std::string process_runs = "on";
   std::string renderer = "z-buffer";
   std::string segment_measure = "cie76";
   std::string segment_inner = "mean";
@@ -480,8 +481,9 @@ void run(const CLI::App& verb, options asked) {
   const render::normalisation energy = normalisation_of(asked.normalisation);
   // What the report says of processes takes time, and is counted for it alone.
   std::optional<harness::process_counter> processes;
-  if (!asked.report.empty() && (asked.engine == "systemc" || asked.units == "systemc" ||
-                                asked.spans == "systemc" || !asked.watch.empty()))
+  if (!asked.report.empty() && asked.process_runs == "on" &&
+      (asked.engine == "systemc" || asked.units == "systemc" || asked.spans == "systemc" ||
+       !asked.watch.empty()))
     processes.emplace();
   job_engines engines(choice, device);
   const bool is_clocked = asked.engine == "systemc" || asked.engine == "verilator";
@@ -652,6 +654,11 @@ void add_render(CLI::App& program) {
           "--animate", asked->frames,
           "frames of a whole turn of the object, OUTPUT-0001.png and so on; the report has one for each")
       ->check(whole_number(1, 9999));
+  verb->add_option(
+          "--process-runs", asked->process_runs,
+          "on: the report says how often SystemC's processes ran, which takes time; off: 0 in its place")
+      ->check(CLI::IsMember({"on", "off"}))
+      ->capture_default_str();
   verb->add_option("--film", asked->film,
                    "film to write of them: .mp4 or .webm (by ffmpeg), .gif (by ffmpeg or ImageMagick)");
   verb->add_option("--watch", asked->watch,

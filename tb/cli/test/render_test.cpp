@@ -245,6 +245,9 @@ TEST_CASE("the runs of processes are counted where there are any", "[cli][render
   const std::string scene = std::string("sphere") + kSmall;
   CHECK(rendered(folder, scene)["process_runs"] == 0);
   const json one = rendered(folder, scene + "--engine systemc");
+  const json off = rendered(folder, scene + "--engine systemc --process-runs off");
+  CHECK(off["process_runs"] == 0);
+  CHECK(off["delta_cycles"] == one["delta_cycles"]);
   const json both = rendered(folder, scene + "--engine systemc --units systemc");
   // A write takes two cycles: four edges of the clock, and more than one block runs after each of two.
   const auto runs = one["process_runs"].get<std::uint64_t>();
