@@ -51,7 +51,7 @@ END
 
 # instructions ARGUMENT...: what valgrind counts.
 instructions() {
-  valgrind --tool=callgrind --callgrind-out-file=/dev/null "$lobe_instructions" "$@" 2>"$work/log" || fail "$(cat "$work/log")"
+  valgrind --tool=callgrind --callgrind-out-file=/dev/null "$lobe_instructions" "$@" 2>"$work/log" </dev/null || fail "$(cat "$work/log")"
   sed -nE 's/.*Collected : ([0-9]+).*/\1/p' "$work/log"
 }
 
@@ -79,18 +79,17 @@ and all, times Blinn's. $compiler, the -O3 of the release.
 END
   local lobe n row whole
   declare -A blinn
-  for lobe in blinn schlick schlick-modified schlick-modified-a schlick-modified-b schlick-modified-c quadratic-exact quadratic-published \
-    quadratic-derived cosine-quadratic lyon-2 lyon-4 lyon-8 gx rational; do
+  while read -r lobe; do
     row="| $lobe |"
     for n in 1 10 100 1000; do
-      whole=$(one values $lobe $n)
-      [ $lobe != blinn ] || blinn[$n]=$whole
+      whole=$(one values "$lobe" $n)
+      [ "$lobe" != blinn ] || blinn[$n]=$whole
       row+=" $(awk -v a="$whole" -v b="${blinn[$n]}" 'BEGIN { printf "%.0f, %.2f", a, a / b }') |"
     done
-    whole=$(one picture $lobe 50)
-    [ $lobe != blinn ] || blinn[picture]=$whole
+    whole=$(one picture "$lobe" 50)
+    [ "$lobe" != blinn ] || blinn[picture]=$whole
     echo "$row $(awk -v a="$whole" -v b="${blinn[picture]}" 'BEGIN { printf "%.2f", a / b }') |"
-  done
+  done < <("$lobe_instructions" --names)
 }
 
 counts >"$work/counts"

@@ -216,8 +216,6 @@ class asked_spans {
  public:
   asked_spans(const options& asked, const std::string& format) {
     if (asked.spans == "host") return;
-    if (asked.shading != "gouraud")
-      throw usage_error("--spans draws lines between colours of corners, expected --shading gouraud");
     const selection device = render::choose_span_device(format);
     if (asked.spans == "bit") {
       model_ = device.of().make_bit(device);

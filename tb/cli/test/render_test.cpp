@@ -236,7 +236,7 @@ TEST_CASE("lines of Gouraud's shading by a device are the same in every engine",
     CHECK((report["process_runs"] > report["cycles"]) == has_processes);
   }
   CHECK(model["span_lines"] > 100);
-  refuses(folder, "sphere --spans bit", "expected --shading gouraud");
+  refuses(folder, "sphere --spans bit", "expected shading gouraud");
   refuses(folder, "sphere --spans golden --shading gouraud", "--spans");
 }
 
