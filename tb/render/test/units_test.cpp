@@ -75,11 +75,12 @@ TEST_CASE("random scenes look the same with the effect units as a device", "[ren
     // Each point has a row, and no light of it has two. Segments count the background as points.
     if (!by_segments) REQUIRE(device.unit_rows >= device.points);
     REQUIRE(device.unit_rows <= device.points * std::max<std::size_t>(1, of.lights.size()));
-    if (energy != normalisation::none && host.planned.has_specular()) {
+    // Which pixels segments trace depends on their colours.
+    if (energy != normalisation::none && host.planned.has_specular() && !by_segments) {
       const outcome plain = picture_of(of, shades.of(), nullptr, shading, asked, by_segments);
       REQUIRE(plain.device_writes == host.device_writes);
       REQUIRE(plain.pixels_in_highlight == host.pixels_in_highlight);
-      normalised += plain.image.rgb != host.image.rgb ? 1 : 0;
+      normalised += plain.image.rgb != host.image.rgb ? 1U : 0U;
     }
     many += of.lights.size() > 1 && device.pixels > 0 ? 1 : 0;
     dark += of.lights.empty() && device.pixels > 0 ? 1 : 0;
@@ -120,7 +121,7 @@ TEST_CASE("lines by a device are Gouraud's shading to two levels", "[render]") {
     REQUIRE(host.span_lines == 0);
     REQUIRE(made.span_lines <= made.pixels / 2);
     drawn += made.span_lines;
-    others += host.image.rgb != made.image.rgb ? 1 : 0;
+    others += host.image.rgb != made.image.rgb ? 1U : 0U;
   }
   CHECK(drawn > 200);
   CHECK(others > 10);
