@@ -19,6 +19,7 @@
 #include "tb/cli/verbs.h"
 #include "tb/cli/whole_number.h"
 #include "tb/device_arguments.h"
+#include "tb/harness/process_counter.h"
 #include "tb/harness/systemc_engine.h"
 #include "tb/output_file.h"
 #include "tb/progress.h"
@@ -42,6 +43,9 @@ struct options {
   std::string shading = "phong";
   std::string perspective = "corrected";
   std::string inner_check = "on";
+  std::string normalisation = "none";
+  std::string spans = "host";
+  std::string process_runs = "on";
   std::string renderer = "z-buffer";
   std::string segment_measure = "cie76";
   std::string segment_inner = "mean";
@@ -207,12 +211,35 @@ class unit_engine final : public engine {
   std::uint64_t cycles_ = 0;
 };
 
+/// What --spans asks for; nothing where the host interpolates.
+class asked_spans {
+ public:
+  asked_spans(const options& asked, const std::string& format) {
+    if (asked.spans == "host") return;
+    const selection device = render::choose_span_device(format);
+    if (asked.spans == "bit") {
+      model_ = device.of().make_bit(device);
+    } else {
+      hardware_ = std::make_unique<unit_engine>(asked.spans, device);
+    }
+    source_ = render::span_source{device, model_ ? model_.get() : hardware_.get(), asked.spans};
+  }
+
+  const render::span_source* source() const { return source_ ? &*source_ : nullptr; }
+  std::uint64_t cycles() const { return hardware_ ? hardware_->cycles() : 0; }
+
+ private:
+  std::unique_ptr<engine> model_;
+  std::unique_ptr<unit_engine> hardware_;
+  std::optional<render::span_source> source_;
+};
+
 /// What --units asks for; nothing where the host adds up the effects.
 class asked_units {
  public:
   asked_units(const options& asked, const selection& shades) {
     if (asked.units == "bit") return;
-    const selection device = render::choose_effect_units(shades.format());
+    const selection device = render::choose_effect_units(shades.format(), asked.normalisation != "none");
     render::expect_fitting({device, nullptr, asked.units}, shades);
     engine_ = std::make_unique<unit_engine>(asked.units, device);
     source_ = render::unit_source{device, engine_.get(), asked.units};
@@ -294,9 +321,13 @@ std::optional<render::rectangle> watch_of(const options& asked, const render::jo
 
 /// What the scene file says where the command line says nothing.
 void take_presets(const CLI::App& verb, const std::map<std::string, std::string>& from, options& to) {
-  const std::map<std::string, std::string*> places{
-      {"size", &to.size},     {"shading", &to.shading},      {"perspective", &to.perspective},
-      {"engine", &to.engine}, {"device", &to.device.device}, {"format", &to.device.format}};
+  const std::map<std::string, std::string*> places{{"size", &to.size},
+                                                   {"shading", &to.shading},
+                                                   {"perspective", &to.perspective},
+                                                   {"engine", &to.engine},
+                                                   {"device", &to.device.device},
+                                                   {"format", &to.device.format},
+                                                   {"normalisation", &to.normalisation}};
   for (const auto& [name, value] : from) {
     if (verb.get_option("--" + name)->count() == 0) *places.at(name) = value;
   }
@@ -339,6 +370,23 @@ class waves {
   bool is_running_ = false;
   bool is_whole_ = true;
 };
+
+render::normalisation normalisation_of(const std::string& name) {
+  std::vector<std::string_view> names;
+  for (const render::named_normalisation& each : render::kNormalisations) {
+    if (each.name == name) return each.is;
+    names.push_back(each.name);
+  }
+  throw usage_error(
+      fmt::format("normalisation {} does not exist, expected {}", printable(name), fmt::join(names, ", ")));
+}
+
+render::inner_colours inner_colours_of(const std::string& name) {
+  for (const render::named_inner_colours& each : render::kInnerColours) {
+    if (each.name == name) return each.are;
+  }
+  throw usage_error(fmt::format("inner colours {} do not exist", printable(name)));
+}
 
 /// The files that were asked for: opened first, so that none is written if one cannot be.
 class result_files {
@@ -428,6 +476,13 @@ void run(const CLI::App& verb, options asked) {
     fmt::print(stderr, "blysk: {}: {}\n", printable(asked.scene), printable(each));
   const engine_choice& choice = find_engine(asked.engine);
   const selection device = asked.device.choose(choice.serves);
+  const render::normalisation energy = normalisation_of(asked.normalisation);
+  // What the report says of processes takes time, and is counted for it alone.
+  std::optional<harness::process_counter> processes;
+  if (!asked.report.empty() && asked.process_runs == "on" &&
+      (asked.engine == "systemc" || asked.units == "systemc" || asked.spans == "systemc" ||
+       !asked.watch.empty()))
+    processes.emplace();
   job_engines engines(choice, device);
   const bool is_clocked = asked.engine == "systemc" || asked.engine == "verilator";
   const render::device_source source{
@@ -437,10 +492,12 @@ void run(const CLI::App& verb, options asked) {
                                                  : device.of().make_bit(device);
       }};
   asked_units units(asked, device);
+  const asked_spans spans(asked, device.format());
   render::job job{.of = &read.of,
                   .shading = &render::find_shading(asked.shading),
                   .device = &source,
-                  .units = units.source()};
+                  .units = units.source(),
+                  .spans = spans.source()};
   set_size(asked, job);
   if (asked.perspective != "corrected" && asked.perspective != "screen")
     throw usage_error(
@@ -448,13 +505,12 @@ void run(const CLI::App& verb, options asked) {
   job.is_corrected = asked.perspective == "corrected";
   job.asked = asked.effects == "all" ? render::effects::all : render::effects::automatic;
   job.checks_triangles = asked.inner_check == "on";
+  job.energy = energy;
   if (asked.renderer == "segments") {
     job.by_segments = asked.by_segments;
     job.by_segments->measure =
         asked.segment_measure == "rgb" ? render::colour_measure::rgb : render::colour_measure::cie76;
-    job.by_segments->inner = asked.segment_inner == "mean"     ? render::inner_colours::mean
-                             : asked.segment_inner == "linear" ? render::inner_colours::linear
-                                                               : render::inner_colours::cubic;
+    job.by_segments->inner = inner_colours_of(asked.segment_inner);
     if (!job.shading->is_by_pixel || !asked.watch.empty())
       throw usage_error("renderer segments traces pixels, expected shading phong and no --watch");
   }
@@ -465,9 +521,10 @@ void run(const CLI::App& verb, options asked) {
                              asked.shading,    device,
                              job.is_corrected, is_clocked || job.units != nullptr ? 1 : job.threads};
     in.unit_cycles = units.cycles();
-    in.cycles = engines.cycles() + in.unit_cycles;
+    in.cycles = engines.cycles() + in.unit_cycles + spans.cycles();
     in.simulated_ns = static_cast<double>(in.cycles) * harness::kClockPeriodNs;
     in.delta_cycles = in.cycles > 0 ? sc_core::sc_delta_count() : 0;
+    if (processes) in.process_runs = processes->runs();
     list_modules(sc_core::sc_get_top_level_objects(), in.blocks);
     in.messages = read.of.messages;
     return in;
@@ -559,12 +616,28 @@ void add_render(CLI::App& program) {
                    "of that difference; cie76: in CIELAB; rgb: of the codes 0..255")
       ->check(CLI::IsMember({"cie76", "rgb"}))
       ->capture_default_str();
-  verb->add_option("--segment-inner", asked->segment_inner, "how the pixels between are interpolated")
-      ->check(CLI::IsMember({"mean", "linear", "cubic"}))
+  std::vector<std::string> inner;
+  for (const render::named_inner_colours& each : render::kInnerColours) inner.emplace_back(each.name);
+  verb->add_option("--segment-inner", asked->segment_inner,
+                   "how the pixels between are interpolated; bilinear: in blocks of as many rows as pixels, "
+                   "from their four corners")
+      ->check(CLI::IsMember(inner))
       ->capture_default_str();
   verb->add_option("--inner-check", asked->inner_check,
                    "on: triangles that no highlight can lie in are left out as a whole; off: pixel by pixel")
       ->check(CLI::IsMember({"on", "off"}))
+      ->capture_default_str();
+  verb->add_option("--spans", asked->spans,
+                   "of shading gouraud: how the pixels of a triangle's row get their colours; host: in "
+                   "double; bit, systemc, "
+                   "verilator: a device draws a line between the colours of its ends, dividing by shifts")
+      ->check(CLI::IsMember({"host", "bit", "systemc", "verilator"}))
+      ->capture_default_str();
+  std::string factors;
+  for (const render::named_normalisation& each : render::kNormalisations)
+    factors += fmt::format("{}{}: {}", factors.empty() ? "" : "; ", each.name, each.formula);
+  verb->add_option("--normalisation", asked->normalisation,
+                   "energy factor of the specular terms, n the exponent; " + factors)
       ->capture_default_str();
   verb->add_flag("--explain", asked->explains, "print the plan: which effects are computed, and why");
   verb->add_option("--size", asked->size, "WIDTHxHEIGHT in pixels")->capture_default_str();
@@ -579,6 +652,11 @@ void add_render(CLI::App& program) {
           "--animate", asked->frames,
           "frames of a whole turn of the object, OUTPUT-0001.png and so on; the report has one for each")
       ->check(whole_number(1, 9999));
+  verb->add_option(
+          "--process-runs", asked->process_runs,
+          "on: the report says how often SystemC's processes ran, which takes time; off: 0 in its place")
+      ->check(CLI::IsMember({"on", "off"}))
+      ->capture_default_str();
   verb->add_option("--film", asked->film,
                    "film to write of them: .mp4 or .webm (by ffmpeg), .gif (by ffmpeg or ImageMagick)");
   verb->add_option("--watch", asked->watch,

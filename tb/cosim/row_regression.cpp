@@ -40,7 +40,6 @@ class row_regression final : public regression {
   row_regression(const selection& asked, std::function<bool(unsigned)> is_proved)
       : asked_(asked),
         ports_(asked.of().ports(asked)),
-        model_(asked.of().make_bit(asked)),
         is_proved_(std::move(is_proved)),
         tries_all_rows_(asked.of().enumerated() == of_role(ports_, port::role::data).size()) {
     for (const auto& make : mutants_table()) modules_.push_back(make());
@@ -127,7 +126,8 @@ class row_regression final : public regression {
 
   bool differs(const columns& in) {
     start(number_, number_);
-    model_->run(in, expected_);
+    // A model may keep what it has added up: like the module, it begins anew.
+    asked_.of().make_bit(asked_)->run(in, expected_);
     try {
       module_->run(in, got_);
     } catch (const std::runtime_error&) {  // it takes no row any more
@@ -139,7 +139,6 @@ class row_regression final : public regression {
 
   const selection& asked_;
   std::vector<port> ports_;
-  std::unique_ptr<engine> model_;
   std::function<bool(unsigned)> is_proved_;
   bool tries_all_rows_;             // all inputs are all rows that are legal
   std::vector<std::size_t> outer_;  // columns

@@ -50,10 +50,19 @@ void device_ports::set(columns& writes, std::size_t row, int n, std::int64_t cos
   for (std::size_t channel = 0; channel < 3; ++channel) writes[kRed + channel].set(row, colour[channel]);
 }
 
-std::int64_t device_ports::term(const columns& results, std::size_t row, std::size_t channel) const {
+std::int64_t device_ports::term(const columns& results, std::size_t row, std::size_t channel,
+                                const energy_share& by) const {
   const column& of = results[result_column_[channel]];
-  if (of.kind() == storage::f64) return specular_term(of.real(row));
-  return specular_term(of.get(row), result_format_[channel].frac);
+  if (of.kind() == storage::f64) return specular_term(by.real * of.real(row));
+  const int fraction = result_format_[channel].frac;
+  if (by.bits > 0) return normalised_term(of.get(row), fraction, by);
+  return specular_term(of.get(row), fraction);
+}
+
+bool device_ports::is_limited() const {
+  return std::ranges::all_of(result_format_, [](const wire_format& of) {
+    return !of.is_signed && of.integer <= kColourIntegerBits;
+  });
 }
 
 bool device_ports::is_dark(const columns& results, std::size_t row) const {

@@ -6,6 +6,7 @@
 
 #include "tb/columns.h"
 #include "tb/device.h"
+#include "tb/render/effects/energy.h"
 
 namespace blysk::render {
 
@@ -26,7 +27,11 @@ class device_ports {
            const std::array<std::uint8_t, 3>& colour) const;
 
   /// Specular term of a channel, 16 fraction bits.
-  std::int64_t term(const columns& results, std::size_t row, std::size_t channel) const;
+  std::int64_t term(const columns& results, std::size_t row, std::size_t channel,
+                    const energy_share& by = {}) const;
+
+  /// Whether the colour outputs carry 0..255 and no more.
+  bool is_limited() const;
 
   /// The code of a channel's output, of a device that computes on integers.
   std::int64_t code(const columns& results, std::size_t row, std::size_t channel) const {

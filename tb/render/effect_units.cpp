@@ -11,20 +11,31 @@ namespace blysk::render {
 namespace {
 
 constexpr std::string_view kColumns = "nl,first,ar,ag,ab,dr,dg,db,sr,sg,sb";
+constexpr const char* kEnergyOption = "energy";
+constexpr const char* kEnergyColumn = ",energy";
 constexpr std::string_view kResults = "red_sum,green_sum,blue_sum,red,green,blue";
-enum : std::size_t { kCosine, kFirst, kAmbient, kDiffuse = kAmbient + 3, kSpecular = kDiffuse + 3 };
+enum : std::size_t {
+  kCosine,
+  kFirst,
+  kAmbient,
+  kDiffuse = kAmbient + 3,
+  kSpecular = kDiffuse + 3,
+  kEnergy = kSpecular + 3
+};
 enum : std::size_t { kSum, kChannel = kSum + 3 };
 
 std::vector<port> of(const selection& device, port::role role) {
   return of_role(device.of().ports(device), role);
 }
 
-bool adds_up_effects(const selection& device) {
+bool adds_up_effects(const selection& device, bool has_energy) {
   const std::vector<port> ports = device.of().ports(device);
-  if (column_names(ports, port::role::data) != kColumns ||
+  if (column_names(ports, port::role::data) != std::string(kColumns) + (has_energy ? kEnergyColumn : "") ||
       column_names(ports, port::role::result) != kResults)
     return false;
   const std::vector<port> data = of_role(ports, port::role::data);
+  if (has_energy && data[kEnergy].carries->frac != energy_of(normalisation::blinn, 1, device.fraction()).bits)
+    return false;
   return data[kAmbient].carries->frac == kCoefficientBits &&
          data[kDiffuse].carries->frac == kCoefficientBits &&
          of_role(ports, port::role::result)[kSum].carries->frac == kSumBits;
@@ -32,10 +43,15 @@ bool adds_up_effects(const selection& device) {
 
 }  // namespace
 
-selection choose_effect_units(const std::string& format) {
+selection choose_effect_units(const std::string& format, bool has_energy) {
   for (const device* each : devices()) {
-    selection chosen = choose(each->name(), format);
-    if (adds_up_effects(chosen)) return chosen;
+    if (!adds_up_effects(choose(each->name(), format), false)) continue;
+    if (!has_energy) return choose(each->name(), format);
+    const auto options = each->options();
+    const auto found = std::ranges::find(options, kEnergyOption, &option::name);
+    if (found == options.end() || !found->is_flag()) continue;
+    selection chosen = choose(each->name(), format, {{kEnergyOption, "on"}});
+    if (adds_up_effects(chosen, true)) return chosen;
   }
   throw std::logic_error("no device adds up effects");
 }
@@ -57,7 +73,10 @@ void expect_fitting(const unit_source& units, const selection& shades) {
 }
 
 effect_units::effect_units(const unit_source& from, results to)
-    : through_(*from.through), to_(to), inputs_(from.device.of().ports(from.device), port::role::data) {}
+    : through_(*from.through),
+      to_(to),
+      inputs_(from.device.of().ports(from.device), port::role::data),
+      has_energy_(of(from.device, port::role::data).size() > kEnergy) {}
 
 void effect_units::begin(std::uint32_t point, const coefficient_rgb& ambient) {
   rows_.push_back({point, true, ambient, {}, 0, {}});
@@ -86,6 +105,7 @@ void effect_units::run() {
     const row& each = rows_[i];
     inputs_[kCosine].set(i, each.cosine);
     inputs_[kFirst].set(i, each.is_first ? 1 : 0);
+    if (has_energy_) inputs_[kEnergy].set(i, each.energy);
     for (std::size_t channel = 0; channel < 3; ++channel) {
       inputs_[kAmbient + channel].set(i, each.ambient[channel]);
       inputs_[kDiffuse + channel].set(i, each.diffuse[channel]);

@@ -16,8 +16,9 @@ namespace blysk::render {
 using channel_rgb = std::array<std::uint8_t, 3>;
 
 /// The device of the list that adds up effects: the one with columns for them.
+/// \param has_energy  with the column for an energy factor
 /// \throws std::logic_error if there is none
-selection choose_effect_units(const std::string& format);
+selection choose_effect_units(const std::string& format, bool has_energy = false);
 
 /// What computes the effects.
 struct unit_source {
@@ -50,6 +51,9 @@ class effect_units {
   /// \return         a number for set_specular()
   std::uint32_t add(const coefficient_rgb& diffuse, std::int64_t cosine);
 
+  /// The code of the factor that multiplies the specular terms of a light.
+  void set_energy(std::uint32_t light, std::int64_t code) { rows_[light].energy = code; }
+
   /// The code of a colour output of the device that shades; 0 if it is never set.
   void set_specular(std::uint32_t light, std::size_t channel, std::int64_t code);
 
@@ -70,6 +74,7 @@ class effect_units {
     coefficient_rgb ambient, diffuse;
     std::int64_t cosine;
     std::array<std::int64_t, 3> specular;
+    std::int64_t energy = 0;
   };
 
   engine& through_;
@@ -77,6 +82,7 @@ class effect_units {
   std::vector<row> rows_;
   bool has_light_ = false;  // the row of the point's beginning
   columns inputs_, outputs_;
+  bool has_energy_;  // a column of the inputs
   std::uint64_t taken_ = 0;
   double seconds_ = 0;
 };

@@ -78,14 +78,14 @@ END
 
 The same view of the teapot. What is not called for is not built and costs no cycle.
 
-| scene | picture | units | SystemC modules | device writes | clock cycles | delta cycles |
-|---|---|---|---:|---:|---:|---:|
+| scene | picture | units | SystemC modules | device writes | clock cycles | delta cycles | runs of processes |
+|---|---|---|---:|---:|---:|---:|---:|
 END
   # scene NAME WORDS MATERIAL ARGUMENT...
   scene() {
     printf '{"mesh": "teapot", "materials": {"*": {%s}}}\n' "$3" >"$work/scene.json"
     rendered "$1" "$work/scene.json" --size 200x150 --engine systemc "${@:4}"
-    echo "| $2 | $(picture "$1" "$2") | $(units) | $(modules) | $(value device_writes) | $(value cycles) | $(value delta_cycles) |"
+    echo "| $2 | $(picture "$1" "$2") | $(units) | $(modules) | $(value device_writes) | $(value cycles) | $(value delta_cycles) | $(value process_runs) |"
   }
   scene everything 'every effect for every point, --effects all' '' --effects all
   scene called_for 'what the scene calls for' ''

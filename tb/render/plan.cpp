@@ -61,6 +61,7 @@ void explain(const std::string& what, const light_plan& of, bool all, int cos_fr
                         std::ldexp(static_cast<double>(of.lobe_begin), -cos_fraction), of.lobe_begin);
     if (of.is_grey) text += "; grey, so red serves green and blue";
   }
+  if (of.energy.bits > 0) text += fmt::format("; energy factor {:.6g}", of.energy.real);
   to.push_back(text);
 }
 
@@ -91,7 +92,7 @@ bool needs_device(const scene::world& of, effects asked) {
 }
 
 plan make_plan(const scene::world& of, effects asked, lobe_table* table, int cos_fraction,
-               const std::string& device) {
+               const std::string& device, normalisation by) {
   const bool all = asked == effects::all;
   const std::vector<bool> used = used_materials(of.surface);
   plan made;
@@ -113,6 +114,7 @@ plan make_plan(const scene::world& of, effects asked, lobe_table* table, int cos
         each.lobe_begin = table->begin(each.n);
         each.below_lobe =
             std::ldexp(static_cast<double>(std::max<std::int64_t>(0, each.lobe_begin - 1)), -cos_fraction);
+        each.energy = energy_of(by, each.n, cos_fraction);
         exponents.insert(each.n);
       }
       has_diffuse = has_diffuse || each.has_diffuse;
@@ -125,7 +127,10 @@ plan make_plan(const scene::world& of, effects asked, lobe_table* table, int cos
   }
   if (has_ambient) made.units.emplace_back("ambient");
   if (has_diffuse) made.units.emplace_back("diffuse");
-  if (made.has_specular()) made.units.insert(made.units.end(), {"specular", device});
+  if (made.has_specular()) {
+    made.units.insert(made.units.end(), {"specular", device});
+    if (by != normalisation::none) made.units.emplace_back("energy");
+  }
   made.units.emplace_back("saturation");
   if (!has_ambient) made.reasons.emplace_back("ambient off: Ia ka = 0 and nothing shines by itself");
   if (!made.has_specular()) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "tb/render/device_ports.h"
+#include "tb/render/effects/energy.h"
 #include "tb/render/effects/fixed.h"
 #include "tb/scene/scene.h"
 
@@ -28,6 +29,7 @@ struct light_plan {
   /// A cosine whose code is below the lobe: one code below its begin, where half a code of the rounding and the last bits
   /// of the vectors cannot lift it. 0 where the lobe begins at 0 or 1.
   double below_lobe = 0;
+  energy_share energy = {};   ///< multiplies the specular term
   bool has_diffuse = false;   ///< the effect is computed
   bool has_specular = false;  ///< the device is written
   bool is_grey = false;       ///< one colour multiplier serves three channels
@@ -59,7 +61,8 @@ bool needs_device(const scene::world& of, effects asked);
 
 /// \param table   null if needs_device() says that none is needed
 /// \param device  what it is called among the units
+/// \param by      what the specular terms are multiplied by
 plan make_plan(const scene::world& of, effects asked, lobe_table* table, int cos_fraction,
-               const std::string& device);
+               const std::string& device, normalisation by);
 
 }  // namespace blysk::render

@@ -70,6 +70,7 @@ class frame {
     }
     timed("reference", [&] { shade_reference(); });
     timed("picture", [&] { resolve(); });
+    if (job_.spans != nullptr) draw_spans();
     count();
     return std::move(made_);
   }
@@ -190,7 +191,9 @@ class frame {
         for (const std::uint32_t pixel : pixels) resolve_traced(pixel);
       });
     };
-    made_.by_segments = fill_by_segments(made_.image, *job_.by_segments, trace);
+    const bool by_blocks = job_.by_segments->inner == inner_colours::bilinear;
+    made_.by_segments =
+        (by_blocks ? fill_by_blocks : fill_by_segments)(made_.image, *job_.by_segments, trace);
     for (const shader& each : shaders) add_costs(each, threads);
     split_times(made_.host_s["shading"]);
     made_.points = made_.by_segments->traced;
@@ -272,7 +275,7 @@ class frame {
     for_each(points_->size(), job_.threads, [&](std::size_t i, point_source::cursor& near, unsigned) {
       point at;
       if (!points_->at(i, near, at)) return;
-      const auto colour = reference_colour(world_, lights_, view_.eye(), at);
+      const auto colour = reference_colour(world_, lights_, view_.eye(), at, job_.energy);
       for (std::size_t channel = 0; channel < 3; ++channel)
         real_[i][channel] = static_cast<float>(std::min(colour[channel], 255.0));
     });
@@ -299,6 +302,30 @@ class frame {
         judged[channel] = static_cast<std::uint8_t>(std::lround(std::clamp(real, 0.0, 255.0)));
       }
     });
+  }
+
+  /// Neighbours in a row that see one triangle are drawn between the colours of the two ends.
+  void draw_spans() {
+    span_drawer drawer(*job_.spans, made_.image);
+    point_source::cursor near;
+    const auto colour_at = [&](int x, int y) {
+      const auto pixel =
+          static_cast<std::size_t>(y) * static_cast<std::size_t>(job_.width) + static_cast<std::size_t>(x);
+      const mixture of = points_->of_pixel(pixel, near);
+      return span_drawer::colour{mixed(of, 0), mixed(of, 1), mixed(of, 2)};
+    };
+    for (int y = 0; y < job_.height; ++y) {
+      const auto seen = seen_.triangle.begin() + std::ptrdiff_t{y} * job_.width;
+      for (int left = 0, behind = 0; left < job_.width; left = behind) {
+        const int most = std::min(job_.width, left + span_drawer::kMostPixels);
+        for (behind = left + 1; behind < most && seen[behind] == seen[left];) ++behind;
+        if (seen[left] == kNoTriangle || behind - left < 2) continue;
+        drawer.add(y, left, behind - 1, colour_at(left, y), colour_at(behind - 1, y));
+      }
+    }
+    drawer.run();
+    made_.span_lines = drawer.lines();
+    made_.host_s["lines"] = drawer.seconds();
   }
 
   std::uint8_t channel_of_point(std::size_t point, std::size_t channel) const {
@@ -363,14 +390,20 @@ plan plan_of(const job& asked) {
   const selection& device = asked.device->device;
   const device_ports ports(device);
   if (asked.units != nullptr) expect_fitting(*asked.units, device);
+  if (asked.energy != normalisation::none && !ports.is_limited()) {
+    throw std::invalid_argument(
+        fmt::format("an energy factor multiplies colours of 0..255, and {} puts out more, expected a device "
+                    "with options that limit it to 255",
+                    device.text()));
+  }
   std::unique_ptr<engine> law;
   std::optional<lobe_table> table;
   if (needs_device(*asked.of, asked.asked)) {
     law = asked.device->make_law();
     table.emplace(device, *law);
   }
-  plan made =
-      make_plan(*asked.of, asked.asked, table ? &*table : nullptr, ports.cos_fraction(), device.top_name());
+  plan made = make_plan(*asked.of, asked.asked, table ? &*table : nullptr, ports.cos_fraction(),
+                        device.top_name(), asked.energy);
   if (asked.units != nullptr) {
     made.reasons.push_back(fmt::format("ambient, diffuse, the sum and saturation run in {}, engine {}",
                                        asked.units->device.top_name(), asked.units->name));
@@ -392,6 +425,8 @@ outcome render(const job& asked) {
     throw std::invalid_argument("the scene has more than 64 lights, expected at most as many");
   if (asked.by_segments && (asked.watch || !asked.shading->is_by_pixel))
     throw std::invalid_argument("segments are of pixels, expected shading phong and none watched");
+  if (asked.spans != nullptr && asked.shading->name != "gouraud")
+    throw std::invalid_argument("lines are drawn between colours of corners, expected shading gouraud");
   return frame(asked).run();
 }
 

@@ -15,6 +15,7 @@
 #include "tb/render/plan.h"
 #include "tb/render/points.h"
 #include "tb/render/segments.h"
+#include "tb/render/spans.h"
 
 namespace blysk::render {
 
@@ -47,10 +48,13 @@ struct job {
   const shading_method* shading;
   bool is_corrected = true;  ///< perspective correction
   effects asked = effects::automatic;
-  bool checks_triangles = true;  ///< the inner specular check, if effects are automatic
+  bool checks_triangles = true;                ///< the inner specular check, if effects are automatic
+  normalisation energy = normalisation::none;  ///< of the specular terms
   unsigned threads = 1;
   const device_source* device;
   const unit_source* units = nullptr;  ///< of the effects; null: their laws on the host
+  const span_source* spans =
+      nullptr;  ///< of shading gouraud: rows of a triangle's pixels; null: in double on the host
   std::optional<watched> watch = {};
   std::optional<segments> by_segments = {};  ///< rays at the ends of segments in place of a z-buffer
   std::function<void(std::size_t done, std::size_t total)> progress =
@@ -73,6 +77,8 @@ struct outcome {
   std::uint64_t device_writes = 0;
   std::uint64_t watched_writes = 0;  ///< of these, those of watched pixels
   std::uint64_t unit_rows = 0;       ///< lights that the effect units have added; 0 where the host does
+  std::uint64_t span_lines =
+      0;  ///< rows of triangles that the device for them has drawn; 0 where the host does
   std::optional<segment_counts> by_segments = {};
   std::map<std::string, double> host_s = {};  ///< by phase
 };
@@ -80,8 +86,8 @@ struct outcome {
 /// The plan alone.
 plan plan_of(const job& asked);
 
-/// \throws std::invalid_argument for a device that does not shade points or does not fit the effect units, and for segments that are watched or not shaded
-/// pixel by pixel
+/// \throws std::invalid_argument for a device that does not shade points or does not fit the effect units or an energy factor, and
+/// for segments that are watched or not shaded pixel by pixel, and for lines of a method that has no colours at corners
 outcome render(const job& asked);
 
 }  // namespace blysk::render

@@ -17,10 +17,14 @@ namespace {
 /// Of everything but reading the scene, the reference and writing the files.
 double frame_s(const outcome& of) {
   double sum = 0;
-  for (const char* phase : {"visibility", "shading", "device", "units"}) {
+  for (const char* phase : {"visibility", "shading", "device", "units", "lines"}) {
     if (const auto found = of.host_s.find(phase); found != of.host_s.end()) sum += found->second;
   }
   return sum;
+}
+
+const named_normalisation& find(normalisation which) {
+  return *std::ranges::find(kNormalisations, which, &named_normalisation::is);
 }
 
 }  // namespace
@@ -64,6 +68,7 @@ std::string report_json(const job& asked, const outcome& of, const circumstances
                                 {"effects", asked.asked == effects::all ? "all" : "auto"},
                                 {"shading", in.shading},
                                 {"perspective", in.is_corrected ? "corrected" : "screen"},
+                                {"normalisation", find(asked.energy).name},
                                 {"width", asked.width},
                                 {"height", asked.height},
                                 {"lights", asked.of->lights.size()},
@@ -79,6 +84,8 @@ std::string report_json(const job& asked, const outcome& of, const circumstances
                                 {"watched_writes", of.watched_writes},
                                 {"units", of.planned.units},
                                 {"units_engine", asked.units != nullptr ? asked.units->name : "bit"},
+                                {"spans_engine", asked.spans != nullptr ? asked.spans->name : "host"},
+                                {"span_lines", of.span_lines},
                                 {"unit_rows", of.unit_rows},
                                 {"unit_cycles", in.unit_cycles},
                                 {"plan", of.planned.reasons},
@@ -86,6 +93,7 @@ std::string report_json(const job& asked, const outcome& of, const circumstances
                                 {"simulated_ns", in.simulated_ns},
                                 {"cycles", in.cycles},
                                 {"delta_cycles", in.delta_cycles},
+                                {"process_runs", in.process_runs.value_or(0)},
                                 {"nmse", off.nmse},
                                 {"verdict", verdict(off.nmse)},
                                 {"psnr_db", nullptr},
@@ -134,6 +142,11 @@ std::string report_table(const job& asked, const outcome& of, const circumstance
     row("effect units", fmt::format("{}, engine {}: {} lights of {} points", asked.units->device.top_name(),
                                     asked.units->name, of.unit_rows, of.points));
   }
+  if (asked.spans != nullptr) {
+    row("lines of pixels",
+        fmt::format("{}, engine {}: {}", asked.spans->device.top_name(), asked.spans->name, of.span_lines));
+  }
+  if (asked.energy != normalisation::none) row("energy factor", std::string(find(asked.energy).formula));
   row("pixels in a highlight", fmt::format("{}", of.pixels_in_highlight));
   row("device writes",
       fmt::format("{} of {} points times {} lights", of.device_writes, of.points, asked.of->lights.size()));
@@ -149,9 +162,11 @@ std::string report_table(const job& asked, const outcome& of, const circumstance
     row("inner specular check", fmt::format("{} triangles left out, {} tests of pixels spared",
                                             of.triangles_left_out, of.tests_left_out));
   }
-  if (in.cycles > 0)
+  if (in.cycles > 0) {
     row("simulated",
-        fmt::format("{} ns, {} clock cycles, {} delta cycles", in.simulated_ns, in.cycles, in.delta_cycles));
+        fmt::format("{} ns, {} clock cycles, {} delta cycles{}", in.simulated_ns, in.cycles, in.delta_cycles,
+                    in.process_runs ? fmt::format(", {} runs of processes", *in.process_runs) : ""));
+  }
   row("against Blinn's model",
       fmt::format("NMSE {:.2e} ({}), {}, {} pixels off by 3/255 or more, largest {}", off.nmse,
                   verdict(off.nmse), off.psnr_db ? fmt::format("PSNR {:.1f} dB", *off.psnr_db) : "equal",

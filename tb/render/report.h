@@ -31,8 +31,9 @@ struct circumstances {
   double simulated_ns = 0;
   std::uint64_t cycles = 0;
   std::uint64_t delta_cycles = 0;
-  std::uint64_t unit_cycles = 0;         ///< of `cycles`, those of the effect units
-  std::vector<std::string> blocks = {};  ///< SystemC modules that were elaborated
+  std::uint64_t unit_cycles = 0;                   ///< of `cycles`, those of the effect units
+  std::optional<std::uint64_t> process_runs = {};  ///< of SystemC, where they were counted
+  std::vector<std::string> blocks = {};            ///< SystemC modules that were elaborated
   std::vector<std::string> messages = {};
 };
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <stdexcept>
 #include <vector>
 
 namespace blysk::render {
@@ -33,17 +34,11 @@ struct segment {
   int row, left, right;
 };
 
-/// [T] (2.28) and (2.31) for a row of `width` pixels.
-/// \param inner  pixels inside a segment; for (2.31) inside all segments of the row
-std::uint64_t elements_of_row(int width, std::uint64_t inner) {
-  return (static_cast<std::uint64_t>(width) + inner) / (inner + 1) + 1;
-}
-
 class filling {
  public:
   filling(picture& image, const segments& asked) : image_(image), asked_(asked) {}
 
-  segment_counts run(const std::function<void(std::span<const std::uint32_t>)>& trace) {
+  segment_counts run(const tracer_of_pixels& trace) {
     std::vector<segment> open = first_segments();
     trace_all(trace);
     while (!open.empty()) {
@@ -82,7 +77,7 @@ class filling {
 
   void ask(int row, int x) { asked_for_.push_back(static_cast<std::uint32_t>(row * image_.width + x)); }
 
-  void trace_all(const std::function<void(std::span<const std::uint32_t>)>& trace) {
+  void trace_all(const tracer_of_pixels& trace) {
     if (!asked_for_.empty()) trace(asked_for_);
     counts_.traced += asked_for_.size();
     asked_for_.clear();
@@ -122,6 +117,8 @@ class filling {
             value = left * (1 + 2 * t) * (1 - t) * (1 - t) + right * t * t * (3 - 2 * t) +
                     left_slope * t * (1 - t) * (1 - t) - right_slope * t * t * (1 - t);
             break;
+          case inner_colours::bilinear:
+            throw std::logic_error("a segment has two ends, expected a block");
         }
         image_.pixel(x, of.row)[channel] =
             static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0, 255.0)));
@@ -157,8 +154,11 @@ double colour_difference(colour_measure by, const std::uint8_t* a, const std::ui
   return by == colour_measure::rgb ? distance(a, b) : distance(lab_of(a), lab_of(b));
 }
 
-segment_counts fill_by_segments(picture& image, const segments& asked,
-                                const std::function<void(std::span<const std::uint32_t>)>& trace) {
+std::uint64_t elements_of_row(int width, std::uint64_t inner) {
+  return (static_cast<std::uint64_t>(width) + inner) / (inner + 1) + 1;
+}
+
+segment_counts fill_by_segments(picture& image, const segments& asked, const tracer_of_pixels& trace) {
   return filling(image, asked).run(trace);
 }
 

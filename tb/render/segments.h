@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Segments of rows, [T] 2.6: the two ends of a segment are traced; if their colours are near to each other, the pixels
-/// between them are interpolated, else the segment is halved.
+/// between them are interpolated, else the segment is halved. Blocks of pixels are the same in both directions.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <span>
@@ -22,11 +23,22 @@ enum class colour_measure {
 enum class inner_colours {
   mean,    ///< half the sum of the ends, (2.27)
   linear,  ///< in proportion to the distances
-  cubic  ///< through the ends, with the slopes that the next traced pixels on either side give (Catmull, Rom 1974)
+  cubic,  ///< through the ends, with the slopes that the next traced pixels on either side give (Catmull, Rom 1974)
+  bilinear  ///< of blocks, as many rows as pixels: in proportion to the distances from the four corners
 };
 
+struct named_inner_colours {
+  inner_colours are;
+  std::string_view name;
+};
+inline constexpr std::array kInnerColours{named_inner_colours{inner_colours::mean, "mean"},
+                                          named_inner_colours{inner_colours::linear, "linear"},
+                                          named_inner_colours{inner_colours::cubic, "cubic"},
+                                          named_inner_colours{inner_colours::bilinear, "bilinear"}};
+
 struct segments {
-  int length = 8;      ///< pixels from one end to the other, 1 and up: one traced, length - 1 between
+  int length =
+      8;  ///< pixels from one end to the other, 1 and up: one traced, length - 1 between; of a block on each side
   double limit = 2.3;  ///< K: the largest difference that is interpolated
   colour_measure measure = colour_measure::cie76;
   inner_colours inner = inner_colours::mean;
@@ -36,15 +48,25 @@ struct segment_counts {
   std::uint64_t traced = 0;        ///< pixels
   std::uint64_t interpolated = 0;  ///< all others
   std::uint64_t elements_2_29 =
-      0;  ///< processing elements of a picture with segments of one length, (2.28) (2.29)
-  std::uint64_t elements_2_31 = 0;  ///< the same by (2.31), with the row's segments as they came out
+      0;  ///< processing elements of a picture with segments of one length, (2.28) (2.29); of blocks by (2.28) in both directions
+  std::uint64_t elements_2_31 =
+      0;  ///< the same by (2.31), with the row's segments as they came out; of blocks, the rows with a traced pixel
 };
+
+/// [T] (2.28) and (2.31) for a row of `width` pixels.
+/// \param inner  pixels inside a segment; for (2.31) inside all segments of the row
+std::uint64_t elements_of_row(int width, std::uint64_t inner);
 
 double colour_difference(colour_measure by, const std::uint8_t* a, const std::uint8_t* b);
 
+/// Writes the colours of these pixels, numbered row by row; each is asked for once.
+using tracer_of_pixels = std::function<void(std::span<const std::uint32_t>)>;
+
 /// Fills a picture.
-/// \param trace  writes the colours of these pixels, numbered row by row; each is asked for once
-segment_counts fill_by_segments(picture& image, const segments& asked,
-                                const std::function<void(std::span<const std::uint32_t>)>& trace);
+segment_counts fill_by_segments(picture& image, const segments& asked, const tracer_of_pixels& trace);
+
+/// The same by blocks, for inner colours bilinear: the four corners of a block are traced; if every two of them are near to each
+/// other, the other pixels are interpolated, else the block is halved in both directions.
+segment_counts fill_by_blocks(picture& image, const segments& asked, const tracer_of_pixels& trace);
 
 }  // namespace blysk::render

@@ -71,6 +71,7 @@ void shader::add(std::uint32_t index, const point& at, light_set dark) {
     const bool adds = is_lit && cosine >= light.lobe_begin;
     if (!adds && !all) continue;
     if (units_ && !light.has_diffuse) number = units_->add({}, 0);
+    if (units_) units_->set_energy(number, light.energy.code);
     waiting_.push_back({index, static_cast<std::uint32_t>(at.material * lights_.size() + k),
                         static_cast<std::uint32_t>(cosine), number, is_lit});
   }
@@ -110,12 +111,13 @@ void shader::run(std::span<const write> batch) {
     if (!batch[i].is_lit) continue;
     if (!ports_.is_dark(outputs_, i)) to_.in_highlight[batch[i].point] = 1;
     sum_rgb& sum = to_.sums[batch[i].point];
-    const bool is_grey = plan_.of_lights[batch[i].slot].is_grey;
+    const light_plan& light = plan_.of_lights[batch[i].slot];
+    const bool is_grey = light.is_grey;
     for (std::size_t channel = 0; channel < 3; ++channel) {
       if (units_) {
         units_->set_specular(batch[i].light, channel, ports_.code(outputs_, i, is_grey ? 0 : channel));
       } else {
-        sum[channel] += ports_.term(outputs_, i, is_grey ? 0 : channel);
+        sum[channel] += ports_.term(outputs_, i, is_grey ? 0 : channel, light.energy);
       }
     }
   }

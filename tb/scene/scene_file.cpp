@@ -203,7 +203,7 @@ read_world read_scene_file(const std::string& path, const std::string& text, int
   const field all(path, root, "");
   const auto members =
       all.members({"mesh", "density", "materials", "lights", "ambient", "background", "camera", "size",
-                   "shading", "perspective", "device", "format", "engine"});
+                   "shading", "perspective", "device", "format", "engine", "normalisation"});
   const auto find = [&](const char* key) {
     const auto found = std::ranges::find(members, key, [](const auto& of) { return of.first; });
     return found == members.end() ? nullptr : &found->second;
@@ -235,7 +235,7 @@ read_world read_scene_file(const std::string& path, const std::string& text, int
     } else if (key == "size") {
       read.options[key] = text_of_size(value);
     } else if (key == "shading" || key == "perspective" || key == "device" || key == "format" ||
-               key == "engine") {
+               key == "engine" || key == "normalisation") {
       read.options[key] = value.text();
     }
   }

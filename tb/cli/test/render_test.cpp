@@ -101,6 +101,23 @@ TEST_CASE("engines, threads, watched pixels and left out effects change no bit o
   }
 }
 
+TEST_CASE("test models of assimp look the same with all effects under every engine", "[cli][render]") {
+  const scratch folder;
+  std::size_t lit = 0;
+  for (const char* name : {"3DS/test1.3ds", "3DS/cube_with_diffuse_texture.3DS", "OBJ/regr01.obj",
+                           "OBJ/box.obj", "OBJ/WusonOBJ.obj"}) {
+    const std::string model = quoted(std::string("/usr/share/assimp/models/") + name) + " --size 40x40 ";
+    for (const char* engine : {"bit", "systemc", "verilator", "golden"}) {
+      CAPTURE(name, engine);
+      const json few = rendered(folder, model + "--engine " + engine, "few.png");
+      rendered(folder, model + "--effects all --engine " + engine, "all.png");
+      CHECK(slurp(folder.path("few.png")) == slurp(folder.path("all.png")));
+      lit += few["pixels_in_highlight"] > 0 ? 1U : 0U;
+    }
+  }
+  CHECK(lit == 4 * 4);
+}
+
 TEST_CASE("a scene without highlights has no device and no clock", "[cli][render]") {
   const scratch folder;
   folder.write("dull.json", R"({"mesh": "sphere", "materials": {"*": {"ks": [0, 0, 0]}}})");
@@ -159,6 +176,94 @@ TEST_CASE("the effect units in hardware change no bit of the picture", "[cli][re
   rendered(folder, segments, "host.png");
   rendered(folder, segments + "--units systemc --engine systemc");
   CHECK(slurp(folder.path("p.png")) == slurp(folder.path("host.png")));
+}
+
+TEST_CASE("an energy factor is the same on the host and in hardware", "[cli][render]") {
+  const scratch folder;
+  folder.write("three.json",
+               R"({"mesh": "spheres", "normalisation": "blinn", "lights": [{"direction": [1, 1, 1]},
+    {"position": [-4, 5, 3], "colour": [0.6, 0.3, 0.1]}]})");
+  const std::string plain_scene = std::string("spheres") + kSmall;
+  const json plain = rendered(folder, plain_scene, "plain.png");
+  CHECK(plain["normalisation"] == "none");
+  rendered(folder, plain_scene + "--normalisation none");
+  CHECK(slurp(folder.path("p.png")) == slurp(folder.path("plain.png")));
+  for (const std::string& scene :
+       {in(folder, "three.json") + kSmall, plain_scene + "--normalisation thesis "}) {
+    const json host = rendered(folder, scene, "host.png");
+    const std::string picture = slurp(folder.path("host.png"));
+    CHECK(picture != slurp(folder.path("plain.png")));
+    CHECK(host["normalisation"] == (scene.find("thesis") != std::string::npos ? "thesis" : "blinn"));
+    CHECK(host["nmse"].get<double>() < 0.05);  // against Blinn's picture with the factor
+    CHECK(std::ranges::count(host["units"], "energy") == 1);
+    for (const char* options :
+         {"--effects all", "--units systemc", "--units verilator --engine verilator",
+          "--units systemc --engine systemc --effects all", "--watch 20,18,12,4", "--threads 3"}) {
+      CAPTURE(scene, options);
+      const json report = rendered(folder, scene + options);
+      CHECK(slurp(folder.path("p.png")) == picture);
+      CHECK(report["nmse"] == host["nmse"]);
+    }
+  }
+  CHECK(run_blysk(folder, "render sphere --explain --normalisation thesis")
+            .out.find("; energy factor 2.28106") != std::string::npos);
+  refuses(folder, "sphere --normalisation most",
+          "normalisation most does not exist, expected none, thesis, blinn");
+  refuses(folder, "sphere --normalisation blinn --as-published",
+          "expected a device with options that limit it to 255");
+}
+
+TEST_CASE("lines of Gouraud's shading by a device are the same in every engine", "[cli][render]") {
+  const scratch folder;
+  const std::string scene = std::string("torus --shading gouraud") + kSmall;
+  const json host = rendered(folder, scene, "host.png");
+  CHECK(host["spans_engine"] == "host");
+  CHECK(host["span_lines"] == 0);
+  const json model = rendered(folder, scene + "--spans bit", "bit.png");
+  const std::string picture = slurp(folder.path("bit.png"));
+  CHECK(picture != slurp(folder.path("host.png")));
+  CHECK(model["cycles"] == 0);
+  CHECK(model["nmse"].get<double>() == Approx(host["nmse"].get<double>()).epsilon(0.05));
+  for (const char* options :
+       {"--spans systemc", "--spans verilator", "--spans systemc --engine systemc --units systemc",
+        "--spans systemc --engine verilator --threads 3"}) {
+    CAPTURE(options);
+    const json report = rendered(folder, scene + options);
+    CHECK(slurp(folder.path("p.png")) == picture);
+    CHECK(report["span_lines"] == model["span_lines"]);
+    CHECK(report["cycles"] > report["span_lines"]);
+    const bool has_processes = std::string(options).find("systemc") != std::string::npos;
+    CHECK((report["process_runs"] > report["cycles"]) == has_processes);
+  }
+  CHECK(model["span_lines"] > 100);
+  refuses(folder, "sphere --spans bit", "expected shading gouraud");
+  refuses(folder, "sphere --spans golden --shading gouraud", "--spans");
+}
+
+TEST_CASE("the runs of processes are counted where there are any", "[cli][render]") {
+  const scratch folder;
+  const std::string scene = std::string("sphere") + kSmall;
+  CHECK(rendered(folder, scene)["process_runs"] == 0);
+  const json one = rendered(folder, scene + "--engine systemc");
+  const json off = rendered(folder, scene + "--engine systemc --process-runs off");
+  CHECK(off["process_runs"] == 0);
+  CHECK(off["delta_cycles"] == one["delta_cycles"]);
+  const json both = rendered(folder, scene + "--engine systemc --units systemc");
+  // A write takes two cycles: four edges of the clock, and more than one block runs after each of two.
+  const auto runs = one["process_runs"].get<std::uint64_t>();
+  CHECK(runs > 2 * one["cycles"].get<std::uint64_t>() + one["device_writes"].get<std::uint64_t>() * 4);
+  CHECK(runs > one["delta_cycles"].get<std::uint64_t>());
+  CHECK(runs < 10 * one["delta_cycles"].get<std::uint64_t>());
+  CHECK(both["process_runs"].get<std::uint64_t>() > 2 * runs);
+  // Nothing is different without the report.
+  const outcome shown =
+      run_blysk(folder, "render " + scene + "--engine systemc --output " + in(folder, "q.png"));
+  CHECK(slurp(folder.path("q.png")) == slurp(folder.path("p.png")));
+  CHECK(shown.out.find("delta cycles\n") != std::string::npos);
+  const outcome counted =
+      run_blysk(folder, "render " + scene + "--engine systemc --report " + in(folder, "q.json"));
+  CHECK(counted.out.find(fmt::format("{} delta cycles, {} runs of processes\n",
+                                     one["delta_cycles"].get<std::uint64_t>(), runs)) != std::string::npos);
 }
 
 TEST_CASE("the waves of the effect units are those of what is watched", "[cli][render]") {
@@ -242,6 +347,12 @@ TEST_CASE("segments are another renderer", "[cli][render]") {
   CHECK(some["device_writes"] < whole["device_writes"]);
   refuses(folder, scene + "--renderer segments --shading flat", "expected shading phong and no --watch");
   refuses(folder, scene + "--renderer segments --watch 1,1", "expected shading phong and no --watch");
+  const json blocks = rendered(folder, scene + "--renderer segments --segment-inner bilinear");
+  CHECK(blocks["segments"]["pixels_traced"] < 64 * 48);
+  CHECK(blocks["segments"]["elements_2_29"] == 9 * 7);
+  rendered(folder, scene + "--renderer segments --segment-inner bilinear --segment 1");
+  CHECK(slurp(folder.path("p.png")) == picture);
+  refuses(folder, scene + "--renderer segments --segment-inner biquadratic", "--segment-inner");
   refuses(folder, scene + "--renderer segments --segment 0", "--segment");
   refuses(folder, scene + "--renderer segments --segment-limit nan", "--segment-limit");
   refuses(folder, scene + "--renderer segments --segment-measure lab", "--segment-measure");

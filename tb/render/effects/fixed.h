@@ -24,6 +24,7 @@ inline constexpr std::size_t kMostLights = 64;
 
 /// Bits before the point of the largest term: of any device's colour output, with or without clamp.
 inline constexpr int kTermIntegerBits = 39;
+inline constexpr int kColourIntegerBits = 8;  ///< of a colour output that is limited to 255
 static_assert((std::int64_t{kMostLights} + 1) * 2 <= std::int64_t{1} << (63 - kTermIntegerBits - kSumBits),
               "two terms of each light and the ambient one fit into a sum");
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
@@ -80,15 +81,16 @@ void append_segments(std::string& csv, std::string& page) {
       "2.3 and no "
       "measure. (2.29) counts segments of 8 pixels that are never halved; (2.31) has the row's segments as "
       "they came "
-      "out.\n\n"
+      "out. bilinear is by blocks of 8 x 8 pixels, (2.28) in both directions; (2.31) then counts the rows "
+      "with a traced "
+      "pixel.\n\n"
       "| scene | measure | K | inner pixels | traced, % | NMSE | largest, in 1/255 | traced | (2.29) | "
       "(2.31) |\n"
       "|---|---|---:|---|---:|---:|---:|---:|---:|---:|\n";
   for (const segment_run& each : run_segments(from)) {
     const char* measure = each.asked.measure == colour_measure::rgb ? "rgb" : "cie76";
-    const char* inner = each.asked.inner == inner_colours::mean     ? "mean"
-                        : each.asked.inner == inner_colours::linear ? "linear"
-                                                                    : "cubic";
+    const std::string_view inner =
+        std::ranges::find(kInnerColours, each.asked.inner, &named_inner_colours::are)->name;
     const auto& counts = each.counts;
     const double share =
         100 * static_cast<double>(counts.traced) / static_cast<double>(counts.traced + counts.interpolated);

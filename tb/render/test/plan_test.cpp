@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the plan leaves out would have added nothing.
 #include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <filesystem>
 #include <functional>
 
 #include "tb/catch.h"
@@ -13,7 +15,9 @@
 #include "tb/render/report.h"
 #include "tb/render/test/picture_source.h"
 #include "tb/render/test/random_scene.h"
+#include "tb/scene/read_scene.h"
 #include "tb/scene/shapes.h"
+#include "tb/usage_error.h"
 
 namespace {
 
@@ -23,12 +27,13 @@ using namespace blysk::render;
 using source = test::picture_source;
 
 outcome picture_of(const scene::world& of, const source& from, effects asked, const char* shading = "phong",
-                   int side = 20) {
+                   int side = 20, normalisation energy = normalisation::none) {
   const job asked_for{.of = &of,
                       .width = side,
                       .height = side,
                       .shading = &find_shading(shading),
                       .asked = asked,
+                      .energy = energy,
                       .device = from.of()};
   return render::render(asked_for);
 }
@@ -62,9 +67,10 @@ void compare(std::uint64_t first_seed, std::uint64_t count) {
     const char* shading = kShadings[maker.below(kShadings.size())];
     const source from(choose(device.name(), format, {}, is_formula ? purpose::formula : purpose::hardware),
                       is_formula);
-    const outcome few = picture_of(of, from, effects::automatic, shading);
-    const outcome every = picture_of(of, from, effects::all, shading);
-    CAPTURE(seed, device.name(), format, is_formula, shading);
+    const normalisation energy = kNormalisations[maker.below(kNormalisations.size())].is;
+    const outcome few = picture_of(of, from, effects::automatic, shading, 20, energy);
+    const outcome every = picture_of(of, from, effects::all, shading, 20, energy);
+    CAPTURE(seed, device.name(), format, is_formula, shading, energy);
     REQUIRE(few.image.rgb == every.image.rgb);
     REQUIRE(few.pixels_in_highlight == every.pixels_in_highlight);
     REQUIRE(every.device_writes == every.points * of.lights.size());
@@ -84,6 +90,40 @@ TEST_CASE("random scenes look the same with all effects", "[render]") {
 
 TEST_CASE("ten thousand random scenes look the same with all effects", "[render][full]") {
   compare(1000, 10'000);
+}
+
+TEST_CASE("the test models of assimp look the same with all effects", "[render][full]") {
+  const std::filesystem::path models = "/usr/share/assimp/models";
+  const source bit(choose(devices().front()->name(), "q12"), false);
+  const source formula(choose(devices().front()->name(), "q12", {}, purpose::formula), true);
+  std::size_t compared = 0;
+  std::size_t lit = 0;
+  for (const char* folder : {"OBJ", "3DS", "PLY"}) {
+    for (const auto& entry : std::filesystem::directory_iterator(models / folder)) {
+      std::string ending = entry.path().extension().string();
+      std::ranges::transform(ending, ending.begin(), [](unsigned char each) { return std::tolower(each); });
+      if (ending != ".obj" && ending != ".3ds" && ending != ".ply") continue;
+      scene::read_world read;
+      try {
+        read = scene::read_scene(entry.path().string(), 0);
+      } catch (const usage_error&) {
+        continue;  // broken on purpose
+      }
+      CAPTURE(entry.path());
+      for (const source* from : {&bit, &formula}) {
+        for (const char* shading : {"phong", "gouraud"}) {
+          const outcome few = picture_of(read.of, *from, effects::automatic, shading, 48);
+          const outcome every = picture_of(read.of, *from, effects::all, shading, 48);
+          CHECK(few.image.rgb == every.image.rgb);
+          CHECK(few.pixels_in_highlight == every.pixels_in_highlight);
+          lit += few.pixels_in_highlight > 0 ? 1U : 0U;
+        }
+      }
+      ++compared;
+    }
+  }
+  CHECK(compared >= 25);
+  CHECK(lit >= 12);
 }
 
 TEST_CASE("a lobe begins at the first code that gives anything", "[render]") {

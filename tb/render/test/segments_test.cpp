@@ -153,7 +153,10 @@ TEST_CASE("rays at every pixel give the picture of the z-buffer", "[render][segm
     REQUIRE(rays.reference.rgb == whole.reference.rgb);
     REQUIRE(rays.device_writes == whole.device_writes);
     REQUIRE(rays.by_segments->traced == 23 * 17);
+    asked.by_segments = segments{.length = 1, .inner = inner_colours::bilinear};
+    REQUIRE(render::render(asked).image.rgb == whole.image.rgb);
     asked.by_segments = segments{};
+    if (seed % 4 < 2) asked.by_segments->inner = inner_colours::bilinear;
     asked.threads = 3;
     const outcome some = render::render(asked);
     asked.threads = 1;
@@ -176,6 +179,139 @@ TEST_CASE("segments spare rays where a picture is smooth", "[render][segments]")
   CHECK(some.device_writes < some.points);
   asked.shading = &find_shading("gouraud");
   CHECK_THROWS_AS(render::render(asked), std::invalid_argument);
+}
+
+/// Blocks depth first, by the definition: what is traced, and the colours.
+class blocks_by_definition {
+ public:
+  blocks_by_definition(const picture& whole, const segments& asked)
+      : whole_(whole),
+        asked_(asked),
+        image(whole.width, whole.height),
+        times_traced(whole.rgb.size() / 3, 0) {
+    std::vector<int> columns{0}, rows{0};
+    while (columns.back() + asked.length < whole.width - 1) columns.push_back(columns.back() + asked.length);
+    while (rows.back() + asked.length < whole.height - 1) rows.push_back(rows.back() + asked.length);
+    for (std::size_t y = 0; y < rows.size(); ++y) {
+      for (std::size_t x = 0; x < columns.size(); ++x) {
+        fill(columns[x], rows[y], x + 1 < columns.size() ? columns[x + 1] : whole.width - 1,
+             y + 1 < rows.size() ? rows[y + 1] : whole.height - 1);
+      }
+    }
+    for (std::size_t i = 0; i < times_traced.size(); ++i) {
+      if (times_traced[i] != 0)
+        std::copy_n(whole.rgb.begin() + 3 * static_cast<std::ptrdiff_t>(i), 3,
+                    image.rgb.begin() + 3 * static_cast<std::ptrdiff_t>(i));
+    }
+  }
+
+ private:
+  const picture& whole_;
+  const segments& asked_;
+
+ public:
+  picture image;
+  std::vector<int> times_traced;
+
+ private:
+  void fill(int left, int top, int right, int bottom) {
+    const std::array xs{left, right, left, right};
+    const std::array ys{top, top, bottom, bottom};
+    double most = 0;
+    for (std::size_t i = 0; i < 4; ++i) {
+      times_traced[static_cast<std::size_t>(ys[i] * whole_.width + xs[i])] = 1;
+      for (std::size_t k = 0; k < 4; ++k)
+        most = std::max(
+            most, colour_difference(asked_.measure, whole_.pixel(xs[i], ys[i]), whole_.pixel(xs[k], ys[k])));
+    }
+    if (most <= asked_.limit || (right - left <= 1 && bottom - top <= 1)) {
+      for (int y = top; y <= bottom; ++y) {
+        for (int x = left; x <= right; ++x) {
+          const bool is_of_next =
+              (x == right && x != whole_.width - 1) || (y == bottom && y != whole_.height - 1);
+          if (is_of_next) continue;
+          const double across = right > left ? static_cast<double>(x - left) / (right - left) : 0;
+          const double down = bottom > top ? static_cast<double>(y - top) / (bottom - top) : 0;
+          for (std::size_t channel = 0; channel < 3; ++channel) {
+            const auto at = [&](int px, int py) {
+              return static_cast<double>(whole_.pixel(px, py)[channel]);
+            };
+            const double value = (1 - down) * ((1 - across) * at(left, top) + across * at(right, top)) +
+                                 down * ((1 - across) * at(left, bottom) + across * at(right, bottom));
+            // Sums of sixteenths and the like: the half is hit or missed by more than this.
+            image.pixel(x, y)[channel] = static_cast<std::uint8_t>(std::floor(value + 0.5 + 1e-9));
+          }
+        }
+      }
+      return;
+    }
+    const int x = right - left > 1 ? (left + right) / 2 : right;
+    const int y = bottom - top > 1 ? (top + bottom) / 2 : bottom;
+    fill(left, top, x, y);
+    if (x < right) fill(x, top, right, y);
+    if (y < bottom) fill(left, y, x, bottom);
+    if (x < right && y < bottom) fill(x, y, right, bottom);
+  }
+};
+
+TEST_CASE("blocks are interpolated from four corners that are alike", "[render][segments]") {
+  for (const int width : {1, 2, 9, 40, 65}) {
+    for (const int height : {1, 2, 17, 30}) {
+      for (const int length : {1, 3, 8, 64}) {
+        for (const double limit : {0.0, 2.3, 5.0, 1000.0}) {
+          const picture whole = noise(width, height, 3);
+          const segments asked{.length = length, .limit = limit, .inner = inner_colours::bilinear};
+          picture image(width, height);
+          std::vector<int> times_traced(whole.rgb.size() / 3, 0);
+          const segment_counts counts =
+              fill_by_blocks(image, asked, [&](std::span<const std::uint32_t> pixels) {
+                for (const std::uint32_t each : pixels) {
+                  ++times_traced[each];
+                  std::copy_n(whole.rgb.begin() + 3 * each, 3, image.rgb.begin() + 3 * each);
+                }
+              });
+          const blocks_by_definition expected(whole, asked);
+          CAPTURE(width, height, length, limit);
+          REQUIRE(times_traced == expected.times_traced);
+          REQUIRE(image.rgb == expected.image.rgb);
+          const auto traced = static_cast<std::uint64_t>(std::ranges::count(times_traced, 1));
+          REQUIRE(counts.traced == traced);
+          REQUIRE(counts.interpolated == times_traced.size() - traced);
+          const auto ends = [&](int side) {
+            return static_cast<std::uint64_t>(std::ceil(static_cast<double>(side) / length)) + 1;
+          };
+          REQUIRE(counts.elements_2_29 == ends(width) * ends(height));
+          if (length == 1) REQUIRE(image.rgb == whole.rgb);
+          if (limit > 500) REQUIRE(traced <= counts.elements_2_29);
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("bilinear blocks follow planes with fewer pixels than rows take", "[render][segments]") {
+  picture plane(65, 49);
+  for (int y = 0; y < 49; ++y) {
+    for (int x = 0; x < 65; ++x) plane.pixel(x, y)[1] = static_cast<std::uint8_t>(5 + 2 * x + 2 * y);
+  }
+  const auto filled_by = [&](auto fill, inner_colours inner) {
+    filled made{picture(65, 49), {}, {}};
+    const segments asked{.length = 16, .limit = 1000, .inner = inner};
+    made.counts = fill(made.image, asked, [&](std::span<const std::uint32_t> pixels) {
+      for (const std::uint32_t each : pixels)
+        std::copy_n(plane.rgb.begin() + 3 * each, 3, made.image.rgb.begin() + 3 * each);
+    });
+    return made;
+  };
+  const filled blocks = filled_by(fill_by_blocks, inner_colours::bilinear);
+  const filled rows = filled_by(fill_by_segments, inner_colours::linear);
+  CHECK(blocks.image.rgb == plane.rgb);
+  CHECK(rows.image.rgb == plane.rgb);
+  // 5 by 4 corners; 5 ends in each of 49 rows.
+  CHECK(blocks.counts.traced == 20);
+  CHECK(rows.counts.traced == 5 * 49);
+  // (2.31): ceil(65 / (60 + 1)) + 1 in each of the four rows with traced pixels.
+  CHECK(blocks.counts.elements_2_31 == 4 * 3);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include "tb/catch.h"
 #include "tb/render/render.h"
+#include "tb/render/report.h"
 #include "tb/render/test/picture_source.h"
 #include "tb/render/test/random_scene.h"
 #include "tb/scene/shapes.h"
@@ -17,8 +18,8 @@ using namespace blysk::render;
 
 /// The bit-accurate model of the effect units.
 struct bit_units {
-  explicit bit_units(const std::string& format)
-      : device(choose_effect_units(format)),
+  explicit bit_units(const std::string& format, bool has_energy = false)
+      : device(choose_effect_units(format, has_energy)),
         model(device.of().make_bit(device)),
         source{device, model.get(), "model"} {}
 
@@ -28,12 +29,14 @@ struct bit_units {
 };
 
 outcome picture_of(const scene::world& of, const device_source* shades, const unit_source* units,
-                   const char* shading, effects asked = effects::automatic, bool by_segments = false) {
+                   const char* shading, effects asked = effects::automatic, bool by_segments = false,
+                   normalisation energy = normalisation::none) {
   job wanted{.of = &of,
              .width = 20,
              .height = 20,
              .shading = &find_shading(shading),
              .asked = asked,
+             .energy = energy,
              .device = shades,
              .units = units};
   if (by_segments) wanted.by_segments = segments{};
@@ -51,6 +54,7 @@ TEST_CASE("random scenes look the same with the effect units as a device", "[ren
   std::size_t many = 0;
   std::size_t dark = 0;
   std::size_t coloured = 0;
+  std::size_t normalised = 0;
   for (std::uint64_t seed = 1; seed <= 400; ++seed) {
     test::scene_maker maker(seed);
     const scene::world of = maker.make();
@@ -58,11 +62,12 @@ TEST_CASE("random scenes look the same with the effect units as a device", "[ren
     const char* const shading = kShadings[maker.below(kShadings.size())];
     const effects asked = maker.below(3) == 0 ? effects::all : effects::automatic;
     const bool by_segments = std::string(shading) == "phong" && maker.below(2) == 0;
+    const normalisation energy = kNormalisations[maker.below(kNormalisations.size())].is;
     const test::picture_source shades(choose(first_device().name(), format), false);
-    const bit_units units(format);
-    CAPTURE(seed, format, shading, by_segments);
-    const outcome host = picture_of(of, shades.of(), nullptr, shading, asked, by_segments);
-    const outcome device = picture_of(of, shades.of(), &units.source, shading, asked, by_segments);
+    const bit_units units(format, energy != normalisation::none);
+    CAPTURE(seed, format, shading, by_segments, energy);
+    const outcome host = picture_of(of, shades.of(), nullptr, shading, asked, by_segments, energy);
+    const outcome device = picture_of(of, shades.of(), &units.source, shading, asked, by_segments, energy);
     REQUIRE(device.image.rgb == host.image.rgb);
     REQUIRE(device.pixels_in_highlight == host.pixels_in_highlight);
     REQUIRE(device.device_writes == host.device_writes);
@@ -70,15 +75,142 @@ TEST_CASE("random scenes look the same with the effect units as a device", "[ren
     // Each point has a row, and no light of it has two. Segments count the background as points.
     if (!by_segments) REQUIRE(device.unit_rows >= device.points);
     REQUIRE(device.unit_rows <= device.points * std::max<std::size_t>(1, of.lights.size()));
+    // Which pixels segments trace depends on their colours.
+    if (energy != normalisation::none && host.planned.has_specular() && !by_segments) {
+      const outcome plain = picture_of(of, shades.of(), nullptr, shading, asked, by_segments);
+      REQUIRE(plain.device_writes == host.device_writes);
+      REQUIRE(plain.pixels_in_highlight == host.pixels_in_highlight);
+      normalised += plain.image.rgb != host.image.rgb ? 1U : 0U;
+    }
     many += of.lights.size() > 1 && device.pixels > 0 ? 1 : 0;
     dark += of.lights.empty() && device.pixels > 0 ? 1 : 0;
     const auto is_coloured = [](const light_plan& each) { return each.has_specular && !each.is_grey; };
     coloured += std::ranges::any_of(device.planned.of_lights, is_coloured) ? 1 : 0;
   }
+  CHECK(normalised > 40);
   CHECK(many > 40);
   CHECK(dark > 10);
   CHECK(coloured > 40);
   CHECK(coloured < 360);
+}
+
+TEST_CASE("lines by a device are Gouraud's shading to two levels", "[render]") {
+  const selection device = choose_span_device("q12");
+  const auto model = device.of().make_bit(device);
+  const span_source lines{device, model.get(), "model"};
+  const test::picture_source shades(choose(first_device().name(), "q12"), false);
+  std::uint64_t drawn = 0;
+  std::size_t others = 0;
+  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+    test::scene_maker maker(seed);
+    const scene::world of = maker.make();
+    // On the picture a colour is linear along a row of a triangle.
+    job wanted{.of = &of,
+               .width = 40,
+               .height = 30,
+               .shading = &find_shading("gouraud"),
+               .is_corrected = false,
+               .device = shades.of()};
+    const outcome host = render::render(wanted);
+    wanted.spans = &lines;
+    const outcome made = render::render(wanted);
+    CAPTURE(seed);
+    // Half a level of each end, of either picture; and 40 pixels times 255 levels times 2^-13, the digits of the quotient.
+    REQUIRE(distance_of(host.image, made.image).largest <= 2);
+    REQUIRE(made.reference.rgb == host.reference.rgb);
+    REQUIRE(host.span_lines == 0);
+    REQUIRE(made.span_lines <= made.pixels / 2);
+    drawn += made.span_lines;
+    others += host.image.rgb != made.image.rgb ? 1U : 0U;
+  }
+  CHECK(drawn > 200);
+  CHECK(others > 10);
+  scene::world ball;
+  ball.surface = scene::make_sphere(8);
+  job refused{.of = &ball, .width = 8, .height = 8, .shading = &find_shading("phong"), .device = shades.of()};
+  refused.spans = &lines;
+  CHECK_THROWS_AS(render::render(refused), std::invalid_argument);
+}
+
+TEST_CASE("a row longer than a line of the device is drawn by two", "[render]") {
+  const selection device = choose_span_device("q18");
+  const auto model = device.of().make_bit(device);
+  const span_source lines{device, model.get(), "model"};
+  picture to(1500, 2);
+  span_drawer drawer(lines, to);
+  drawer.add(1, 0, 1023, {0, 255, 7}, {255, 0, 7});
+  drawer.add(1, 1024, 1499, {255, 0, 7}, {0, 0, 255});
+  drawer.run();
+  CHECK(drawer.lines() == 2);
+  for (int x = 0; x < 1500; ++x) {
+    CHECK(to.pixel(x, 0)[0] == 0);
+    const double share = x < 1024 ? x / 1023.0 : (x - 1024) / 475.0;
+    REQUIRE(std::abs(to.pixel(x, 1)[0] - 255 * (x < 1024 ? share : 1 - share)) <= 1);
+    REQUIRE(std::abs(to.pixel(x, 1)[1] - (x < 1024 ? 255 * (1 - share) : 0)) <= 1);
+    REQUIRE(std::abs(to.pixel(x, 1)[2] - (x < 1024 ? 7 : 7 + 248 * share)) <= 1);
+  }
+}
+
+TEST_CASE("an energy factor multiplies the specular term alone, as double does", "[render]") {
+  const int fraction = 16;
+  for (const named_normalisation& each : kNormalisations) {
+    for (const int n : {1, 2, 50, 999, 1000}) {
+      const energy_share by = energy_of(each.is, n, fraction);
+      const double factor = each.is == normalisation::none     ? 1
+                            : each.is == normalisation::thesis ? (n + 6) / 24.55
+                                                               : (n + 6) / (8 * golden::pi<double>());
+      CAPTURE(each.name, n);
+      CHECK(by.real == Approx(factor).epsilon(1e-14));
+      CHECK((by.bits == 0) == (each.is == normalisation::none));
+      if (by.bits == 0) continue;
+      CHECK(by.bits == 18);
+      CHECK(std::ldexp(static_cast<double>(by.code), -by.bits) ==
+            Approx(factor).margin(std::ldexp(0.5, -18)));
+      // 200.25 in 16 fraction bits; half a unit of the code and half of the result.
+      const double term =
+          std::ldexp(static_cast<double>(normalised_term(std::int64_t{801} << 14, fraction, by)), -16);
+      CHECK(term == Approx(200.25 * factor).margin(200.25 * std::ldexp(0.5, -18) + std::ldexp(0.5, -16)));
+    }
+  }
+  // The picture that it is judged by has the factor, too.
+  scene::world of;
+  of.surface = scene::make_sphere(24);
+  for (scene::material& each : of.surface.materials) {
+    each.n = 20;
+    each.kd = each.ka = {0, 0, 0};
+    each.ks = {0.6, 0.3, 0.6};
+  }
+  const test::picture_source formula(choose(first_device().name(), "q16", {}, purpose::formula), true);
+  const job wanted{.of = &of,
+                   .width = 64,
+                   .height = 64,
+                   .shading = &find_shading("phong"),
+                   .energy = normalisation::thesis,
+                   .device = formula.of()};
+  const outcome made = render::render(wanted);
+  scene::world brighter = of;
+  for (scene::material& each : brighter.surface.materials) {
+    for (double& channel : each.ks) channel *= 26 / 24.55;
+  }
+  job plain = wanted;
+  plain.of = &brighter;
+  plain.energy = normalisation::none;
+  const outcome expected = render::render(plain);
+  CHECK(made.reference.rgb == expected.reference.rgb);
+  CHECK(distance_of(made.image, expected.image).largest <= 1);  // ks has 8 bits
+  CHECK(distance_of(made.image, made.reference).nmse ==
+        Approx(distance_of(expected.image, expected.reference).nmse).epsilon(0.05));
+  CHECK(made.planned.units.back() == "saturation");
+  CHECK(std::ranges::count(made.planned.units, "energy") == 1);
+  CHECK_THROWS_AS(
+      [&] {
+        const test::picture_source wide(choose(first_device().name(), "q12", {{"as-published", "on"}}),
+                                        false);
+        job refused = wanted;
+        refused.device = wide.of();
+        render::render(refused);
+      }(),
+      std::invalid_argument);
 }
 
 TEST_CASE("sixty-four full lights are white", "[render]") {

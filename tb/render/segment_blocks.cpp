@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "tb/render/segments.h"
+
+namespace blysk::render {
+namespace {
+
+/// Pixels between four corners, these included.
+struct block {
+  int left, top, right, bottom;
+};
+
+class filling {
+ public:
+  filling(picture& image, const segments& asked)
+      : image_(image), asked_(asked), is_traced_(image.rgb.size() / 3, false) {}
+
+  segment_counts run(const tracer_of_pixels& trace) {
+    std::vector<block> open = first_blocks();
+    trace_all(trace);
+    while (!open.empty()) {
+      std::vector<block> parts;
+      for (const block& each : open) {
+        const bool is_small = each.right - each.left <= 1 && each.bottom - each.top <= 1;
+        if (is_small || is_near(each)) {
+          done_.push_back(each);
+        } else {
+          divide(each, parts);
+        }
+      }
+      trace_all(trace);
+      open.swap(parts);
+    }
+    for (const block& each : done_) interpolate(each);
+    count();
+    return counts_;
+  }
+
+ private:
+  /// Begins of the blocks along a side, and its last pixel; a side of one pixel has one block of one.
+  std::vector<int> places(int side) const {
+    std::vector<int> all;
+    for (int at = 0; at < side - 1; at += asked_.length) all.push_back(at);
+    if (all.empty()) all.push_back(0);
+    all.push_back(side - 1);
+    return all;
+  }
+
+  std::vector<block> first_blocks() {
+    const std::vector<int> columns = places(image_.width);
+    const std::vector<int> rows = places(image_.height);
+    std::vector<block> all;
+    for (std::size_t y = 1; y < rows.size(); ++y) {
+      for (std::size_t x = 1; x < columns.size(); ++x)
+        add({columns[x - 1], rows[y - 1], columns[x], rows[y]}, all);
+    }
+    return all;
+  }
+
+  /// The corners are asked for.
+  void add(const block& each, std::vector<block>& to) {
+    for (const int y : {each.top, each.bottom}) {
+      for (const int x : {each.left, each.right}) ask(x, y);
+    }
+    to.push_back(each);
+  }
+
+  /// A side of one step stays whole.
+  void divide(const block& of, std::vector<block>& to) {
+    const int x = (of.left + of.right) / 2;
+    const int y = (of.top + of.bottom) / 2;
+    const bool has_columns = of.right - of.left > 1;
+    const bool has_rows = of.bottom - of.top > 1;
+    const int right = has_columns ? x : of.right;
+    const int bottom = has_rows ? y : of.bottom;
+    add({of.left, of.top, right, bottom}, to);
+    if (has_columns) add({x, of.top, of.right, bottom}, to);
+    if (has_rows) add({of.left, y, right, of.bottom}, to);
+    if (has_columns && has_rows) add({x, y, of.right, of.bottom}, to);
+  }
+
+  std::size_t number(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(image_.width) + static_cast<std::size_t>(x);
+  }
+
+  /// Blocks share corners.
+  void ask(int x, int y) {
+    if (is_traced_[number(x, y)]) return;
+    is_traced_[number(x, y)] = true;
+    asked_for_.push_back(static_cast<std::uint32_t>(number(x, y)));
+  }
+
+  void trace_all(const tracer_of_pixels& trace) {
+    if (!asked_for_.empty()) trace(asked_for_);
+    counts_.traced += asked_for_.size();
+    asked_for_.clear();
+  }
+
+  /// InterpolOK of [T] fig. 2.19, of every two corners.
+  bool is_near(const block& of) const {
+    const std::array corners{image_.pixel(of.left, of.top), image_.pixel(of.right, of.top),
+                             image_.pixel(of.left, of.bottom), image_.pixel(of.right, of.bottom)};
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      for (std::size_t k = 0; k < i; ++k) {
+        if (colour_difference(asked_.measure, corners[i], corners[k]) > asked_.limit) return false;
+      }
+    }
+    return true;
+  }
+
+  /// What is not traced. An edge that two blocks share belongs to the one that is right of it or below.
+  void interpolate(const block& of) {
+    const std::int64_t width = std::max(1, of.right - of.left);
+    const std::int64_t height = std::max(1, of.bottom - of.top);
+    const int right = of.right == image_.width - 1 ? of.right : of.right - 1;
+    const int bottom = of.bottom == image_.height - 1 ? of.bottom : of.bottom - 1;
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+      const auto corner = [&](int x, int y) { return std::int64_t{image_.pixel(x, y)[channel]}; };
+      const std::int64_t top_left = corner(of.left, of.top);
+      const std::int64_t top_right = corner(of.right, of.top);
+      const std::int64_t bottom_left = corner(of.left, of.bottom);
+      const std::int64_t bottom_right = corner(of.right, of.bottom);
+      for (int y = of.top; y <= bottom; ++y) {
+        const std::int64_t down = y - of.top;
+        const std::int64_t first = top_left * (height - down) + bottom_left * down;
+        const std::int64_t last = top_right * (height - down) + bottom_right * down;
+        for (int x = of.left; x <= right; ++x) {
+          if (is_traced_[number(x, y)]) continue;
+          const std::int64_t along = x - of.left;
+          const std::int64_t sum = first * (width - along) + last * along;
+          image_.pixel(x, y)[channel] =
+              static_cast<std::uint8_t>((2 * sum + width * height) / (2 * width * height));
+        }
+      }
+    }
+  }
+
+  void count() {
+    const auto width = static_cast<std::uint64_t>(image_.width);
+    for (int y = 0; y < image_.height; ++y) {
+      std::uint64_t inner = 0;
+      for (int x = 0; x < image_.width; ++x) inner += is_traced_[number(x, y)] ? 0U : 1U;
+      counts_.interpolated += inner;
+      if (inner < width) counts_.elements_2_31 += elements_of_row(image_.width, inner);
+    }
+    const auto between = static_cast<std::uint64_t>(asked_.length - 1);
+    counts_.elements_2_29 = elements_of_row(image_.width, between) * elements_of_row(image_.height, between);
+  }
+
+  picture& image_;
+  const segments& asked_;
+  std::vector<bool> is_traced_;
+  std::vector<std::uint32_t> asked_for_;
+  std::vector<block> done_;
+  segment_counts counts_;
+};
+
+}  // namespace
+
+segment_counts fill_by_blocks(picture& image, const segments& asked, const tracer_of_pixels& trace) {
+  return filling(image, asked).run(trace);
+}
+
+}  // namespace blysk::render
