@@ -225,8 +225,12 @@ class script_writer {
                                .half = dyadic(claim.half)};
       const auto [first, last] = addresses_of(begins, group);
       const std::string half = claim.half == "0" ? "" : " - " + claim.half;
-      given.push_back(fmt::format("{} + {} * {}{} - {} in {}", claim.begin, claim.change, claim.place, half,
-                                  claim.name, error_of_lines(lines, curve, first, last).text()));
+      const std::string error =
+          fmt::format("{} + {} * {}{} - {}", claim.begin, claim.change, claim.place, half, claim.name);
+      const errors_of_lines errors = compare(lines, curve, first, last);
+      given.push_back(fmt::format("{} in {}", error, errors.absolute.text()));
+      if (claim.is_relative)
+        given.push_back(fmt::format("({}) / {} in {}", error, claim.name, errors.relative.text()));
       given.push_back(fmt::format("{} in {}", claim.name, range_of_curve(lines, curve, first, last).text()));
     }
     return given;

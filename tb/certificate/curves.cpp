@@ -65,25 +65,31 @@ digits_range outward(const referee& low, const referee& high) {
   return {digits(low - apart()), digits(high + apart())};
 }
 
-digits_range error_of_lines(const stored_lines& lines, const convex_curve& curve, std::size_t first,
-                            std::size_t last) {
-  referee low = 1, high = -1;
+errors_of_lines compare(const stored_lines& lines, const convex_curve& curve, std::size_t first,
+                        std::size_t last) {
+  referee low = 1, high = -1, relative_low = 1, relative_high = -1;
   for (std::size_t i = first; i <= last; ++i) {
     const referee begin = ldexp(referee(lines.begins[i]), -lines.begin_frac) - lines.half;
     const referee end = begin + ldexp(referee(lines.changes[i]), -lines.change_frac);
     const referee x0 = lines.from + lines.length * i;
     const referee x1 = x0 + lines.length;
-    low = std::min({low, referee(begin - curve.value(x0)), referee(end - curve.value(x1))});
+    const referee y0 = curve.value(x0);
+    const referee y1 = curve.value(x1);
+    const referee least = std::min(referee(begin - y0), referee(end - y1));
     const referee s0 = curve.slope(x0);
     const referee s1 = curve.slope(x1);
     const referee share = ((end - begin) / lines.length - s0) / (s1 - s0);
     const referee middle = x0 + lines.length * std::clamp(share, referee(0), referee(1));
     const referee at = curve.value(middle);
     const referee slope = curve.slope(middle);
-    high = std::max(
-        {high, referee(begin - at - slope * (x0 - middle)), referee(end - at - slope * (x1 - middle))});
+    const referee most =
+        std::max(referee(begin - at - slope * (x0 - middle)), referee(end - at - slope * (x1 - middle)));
+    low = std::min(low, least);
+    high = std::max(high, most);
+    relative_low = std::min(relative_low, referee(least / (least < 0 ? y1 : y0)));
+    relative_high = std::max(relative_high, referee(most / (most < 0 ? y0 : y1)));
   }
-  return outward(low, high);
+  return {outward(low, high), outward(relative_low, relative_high)};
 }
 
 digits_range range_of_curve(const stored_lines& lines, const convex_curve& curve, std::size_t first,

@@ -40,11 +40,16 @@ struct digits_range {
 };
 digits_range outward(const golden::referee& low, const golden::referee& high);
 
-/// Where line - curve lies on the segments first..last. The curve lies above each of its tangents and below its chords, so
-/// line - curve is least at an end of a segment, and nowhere above what a tangent leaves; the tangent is taken where the curve
-/// is nearly as steep as the line.
-digits_range error_of_lines(const stored_lines& lines, const convex_curve& curve, std::size_t first,
-                            std::size_t last);
+struct errors_of_lines {
+  digits_range absolute;  ///< line - curve
+  digits_range relative;  ///< the same over the curve, which is above 0
+};
+
+/// On the segments first..last. The curve lies above each of its tangents and below its chords, so line - curve is least at an
+/// end of a segment, and nowhere above what a tangent leaves; the tangent is taken where the curve is nearly as steep as the
+/// line. Relative errors are those of each segment over the least or the largest value of the curve there.
+errors_of_lines compare(const stored_lines& lines, const convex_curve& curve, std::size_t first,
+                        std::size_t last);
 
 /// Where the curve lies on the segments.
 digits_range range_of_curve(const stored_lines& lines, const convex_curve& curve, std::size_t first,

@@ -36,7 +36,7 @@ bool take_line(const std::string& word, const std::string& rest, specification& 
   static const std::regex named(R"((\w+) = (.+))");
   static const std::regex memory(R"((\w+) ~ (\w+) within ([0-9.]+)(?: from (\d+))?)");
   static const std::regex curve(
-      R"((\w+) \+ (\w+) \* (\w+) ~ (\w+) = (\w+) from (\S+) over (\S+), half (\S+))");
+      R"((\w+) \+ (\w+) \* (\w+) ~ (\w+) = (\w+) from (\S+) over (\S+), half ([^ ,]+)(, relative)?)");
   static const std::regex groups(R"((\w+)((?: \d+(?:/\d+)?)+)(?: where (.+))?)");
   static const std::regex valued(R"((.+): (\S+))");
   static const std::regex valued_if(R"((.+): (\S+)(?: if (.+))?)");
@@ -52,7 +52,8 @@ bool take_line(const std::string& word, const std::string& rest, specification& 
   } else if (word == "words" && matches(sign)) {
     to.words.push_back(found[1]);
   } else if (word == "curve" && matches(curve)) {
-    to.curves.push_back({found[1], found[2], found[3], found[4], found[5], found[6], found[7], found[8]});
+    to.curves.push_back({found[1], found[2], found[3], found[4], found[5], found[6], found[7], found[8],
+                         found[9].length() != 0});
   } else if (word == "groups" && matches(groups)) {
     address_groups made{.net = found[1], .firsts = {}, .condition = found[3]};
     std::istringstream firsts(found[2]);

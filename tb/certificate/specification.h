@@ -13,7 +13,8 @@
 ///   curve B + C * P ~ NAME = FUNCTION from X over LENGTH, half B
 ///                                          lines: B and C words of memories, P the place in a segment; NAME is the FUNCTION, one of
 ///                                          curves.h, where the line stands for it: over LENGTH in all, from X on. B has the
-///                                          constant `half` more, for a cut to be a rounding
+///                                          constant `half` more, for a cut to be a rounding. With ", relative" at the end the
+///                                          relative error is told too
 ///   groups NET N1 N2 ... [where CONDITION] the addresses from 0, N1, N2, ... on are told apart; on a way with the condition
 ///                                          alone, if there is one. x/y stands for that part of the addresses
 ///   claim FORMULA                          proved of the formula, then given
@@ -40,6 +41,7 @@ struct memory_claim {
 
 struct curve_claim {
   std::string begin, change, place, name, function, from, length, half;
+  bool is_relative = false;
 };
 
 struct address_groups {

@@ -218,7 +218,8 @@ class reader {
     path.conditions.push_back(fmt::format("{} >= {}", places.text, taken));
     path.conditions.push_back(fmt::format("{} <= {}", places.text, taken));
     path.definitions.push_back(fmt::format("{}_weight = 1b-{};", places.text, taken));
-    const number a = value_of_name("a_i");
+    number a = value_of_name("a_i");
+    a.floored.clear();
     if (taken == 0) return a;
     return rounded_down(fmt::format("({} * {})", a.text, dyadic(1, static_cast<int>(taken))), now_.frac);
   }
@@ -408,8 +409,11 @@ class reader {
     int width = 0;
     while (*mask.constant >> width != 0) ++width;
     const std::string whole = named(a.floored.empty() ? a.text : a.floored);
-    return {.text = fmt::format("({} - {})", a.text, rounded_down(whole, a.scale - width).text),
-            .scale = a.scale};
+    const std::string above = rounded_down(whole, a.scale - width).text;
+    // What is cut below is not what is cut above.
+    if (!a.floored.empty())
+      path.hints.push_back(fmt::format("({0} - {1}) - {2} -> ({0} - {2}) - {1};", a.text, above, whole));
+    return {.text = fmt::format("({} - {})", a.text, above), .scale = a.scale};
   }
 
   bool chooses_next() {
