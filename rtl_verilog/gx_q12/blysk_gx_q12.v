@@ -5,7 +5,8 @@
 //   digest: sha256:57d5da634d2151b9c7664f3ffb6ae71ddfac0d960b7088a7d71dcfe0f4be5796
 //   error against c^n, every code of the cosine: at most 0.203193 (n = 928, c = 0.997314453125), bias 0.0117756; 4097000 inputs, n in 1..1000, exhaustive
 //   error against c^n, pixels of a lit sphere, 512 x 512: at most 0.213657 (n = 995, c = 0.9976842579877792), bias 0.0216458; 146779000 inputs, n in 1..1000, exhaustive
-//   not known with these options: certificate, iCE40, iCE40 with DSP, iCE40 HX8K, OSU018, settling
+//   certificate: BRDF within 0.000122071 of what it computes in real numbers, proved by Gappa 1.4.1; at most 0.0001220703125 seen, 4097000 inputs, exhaustive
+//   not known with these options: iCE40, iCE40 with DSP, iCE40 HX8K, OSU018, settling
 `default_nettype none
 
 module blysk_gx_q12 (

@@ -5,7 +5,8 @@
 //   digest: sha256:12025798e0855b13751a35a8ecd18b87e7027e1bfbc558f6bfef30708e6b2faa
 //   error against c^n, every code of the cosine: at most 0.203125 (n = 998, c = 0.9974822998046875), bias 0.0117817; 65537000 inputs, n in 1..1000, exhaustive
 //   error against c^n, pixels of a lit sphere, 512 x 512: at most 0.203678 (n = 945, c = 0.9973527265915006), bias 0.021641; 146779000 inputs, n in 1..1000, exhaustive
-//   not known with these options: certificate, iCE40, iCE40 with DSP, iCE40 HX8K, OSU018, settling
+//   certificate: BRDF within 8.56081e-06 of what it computes in real numbers, proved by Gappa 1.4.1; at most 8.307055388789841e-06 seen, 65537000 inputs, exhaustive
+//   not known with these options: iCE40, iCE40 with DSP, iCE40 HX8K, OSU018, settling
 `default_nettype none
 
 module blysk_gx_q16 (

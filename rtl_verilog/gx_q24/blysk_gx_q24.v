@@ -3,7 +3,8 @@
 // What blysk knows of it, and the digest of its modules without this comment:
 //   computes: BRDF = c^2 / (c^2 + n (1 - c^2)/2), c = cos(delta); red, green, blue = BRDF (R, G, B) k_s
 //   digest: sha256:880046c08af0d0245995664c4803715278858caf4adf88f84fbc0bdf974af19d
-//   not known with these options: errors, certificate, iCE40, iCE40 with DSP, iCE40 HX8K, OSU018, settling
+//   certificate: BRDF within 3.34406e-08 of what it computes in real numbers, proved by Gappa 1.4.1; at most 3.324063935217225e-08 seen, 65536000 inputs, sampled
+//   not known with these options: errors, iCE40, iCE40 with DSP, iCE40 HX8K, OSU018, settling
 `default_nettype none
 
 module blysk_gx_q24 (

@@ -5,11 +5,12 @@
 //   digest: sha256:d5493bba152dea5908a8628653f1fd2308481081d4ac7be69f8cfd52e24e7d77
 //   error against c^n, every code of the cosine: at most 0.204741 (n = 644, c = 0.99609375), bias 0.0114655; 257000 inputs, n in 1..1000, exhaustive
 //   error against c^n, pixels of a lit sphere, 512 x 512: at most 0.857831 (n = 1000, c = 0.9980511597743293), bias 0.0225424; 146779000 inputs, n in 1..1000, exhaustive
+//   certificate: BRDF within 0.00195314 of what it computes in real numbers, proved by Gappa 1.4.1; at most 0.001953125 seen, 257000 inputs, exhaustive
 //   iCE40: 1996 LUT, 533 carry, 44 FF, 0 DSP, 0 RAM bits; Yosys 0.23 (git sha1 7ce5011c24b)
 //   iCE40 with DSP: 1024 LUT, 507 carry, 44 FF, 5 DSP, 0 RAM bits; Yosys 0.23 (git sha1 7ce5011c24b)
 //   iCE40 HX8K: 8.85 MHz, the least of 5 seeds; nextpnr-ice40 -- Next Generation Place and Route (Version 0.4-1+b1), Yosys 0.23 (git sha1 7ce5011c24b)
 //   OSU018: 5837.8 NAND2, 5478 cells, longest path 36.013 ns; OpenSTA 2.0.17, Yosys 0.23 (git sha1 7ce5011c24b)
-//   not known with these options: certificate, settling
+//   not known with these options: settling
 `default_nettype none
 
 module blysk_gx_q8 (

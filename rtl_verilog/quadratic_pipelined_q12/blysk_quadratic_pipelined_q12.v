@@ -5,11 +5,12 @@
 //   digest: sha256:14510d2352c485d810b6009dc787b64db42b76e07532ab49e33bced8a5f76fb0
 //   error against c^n, every code of the cosine: at most 0.27991 (n = 868, c = 0.99853515625), bias -0.00186795; 4097000 inputs, n in 1..1000, exhaustive
 //   error against c^n, pixels of a lit sphere, 512 x 512: at most 0.308552 (n = 868, c = 0.9986471440712392), bias -0.00363163; 146779000 inputs, n in 1..1000, exhaustive
+//   certificate: that of quadratic, whose BRDF it computes: BRDF within 0.00022899 of what it computes in real numbers, proved by Gappa 1.4.1; at most 0.000214905961466858 seen, 4097000 inputs, exhaustive
 //   iCE40: 2639 LUT, 174 carry, 312 FF, 0 DSP, 0 RAM bits; Yosys 0.23 (git sha1 7ce5011c24b)
 //   iCE40 with DSP: 105 LUT, 88 carry, 312 FF, 9 DSP, 0 RAM bits; Yosys 0.23 (git sha1 7ce5011c24b)
 //   iCE40 HX8K: 55.65 MHz, the least of 5 seeds; nextpnr-ice40 -- Next Generation Place and Route (Version 0.4-1+b1), Yosys 0.23 (git sha1 7ce5011c24b)
 //   OSU018: 9240.3 NAND2, 8196 cells, longest path 6.842 ns; OpenSTA 2.0.17, Yosys 0.23 (git sha1 7ce5011c24b)
-//   not known with these options: certificate, settling
+//   not known with these options: settling
 `default_nettype none
 
 module blysk_quadratic_pipelined_q12 (

@@ -5,7 +5,8 @@
 //   digest: sha256:de0a1d0b5ed72f60ea7a2bad58d8c1ab7f995ebcdc898b02a9a56f24ef04fa76
 //   error against c^n, every code of the cosine: at most 0.280155 (n = 969, c = 0.998687744140625), bias -0.00186833; 65537000 inputs, n in 1..1000, exhaustive
 //   error against c^n, pixels of a lit sphere, 512 x 512: at most 0.281937 (n = 926, c = 0.9986336845598192), bias -0.00363547; 146779000 inputs, n in 1..1000, exhaustive
-//   not known with these options: certificate, iCE40, iCE40 with DSP, iCE40 HX8K, OSU018, settling
+//   certificate: that of quadratic, whose BRDF it computes: BRDF within 1.26083e-05 of what it computes in real numbers, proved by Gappa 1.4.1; at most 1.188913569476202e-05 seen, 65537000 inputs, exhaustive
+//   not known with these options: iCE40, iCE40 with DSP, iCE40 HX8K, OSU018, settling
 `default_nettype none
 
 module blysk_quadratic_pipelined_q16 (

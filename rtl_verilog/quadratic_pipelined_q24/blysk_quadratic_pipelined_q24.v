@@ -3,7 +3,8 @@
 // What blysk knows of it, and the digest of its modules without this comment:
 //   computes: BRDF = max(0, a (c^2 - c) + c), a = 2 (1 - e^(-1/2)) n - 1/2, c = cos(delta); red, green, blue = BRDF (R, G, B) k_s
 //   digest: sha256:365c34a3e57e57d369d76ae2b3c421800a3cccaa5b22f097578588496e6a4e88
-//   not known with these options: errors, certificate, iCE40, iCE40 with DSP, iCE40 HX8K, OSU018, settling
+//   certificate: that of quadratic, whose BRDF it computes: BRDF within 5.84844e-08 of what it computes in real numbers, proved by Gappa 1.4.1; at most 5.7574682866753935e-08 seen, 65536000 inputs, sampled
+//   not known with these options: errors, iCE40, iCE40 with DSP, iCE40 HX8K, OSU018, settling
 `default_nettype none
 
 module blysk_quadratic_pipelined_q24 (

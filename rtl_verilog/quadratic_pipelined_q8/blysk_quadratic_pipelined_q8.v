@@ -5,11 +5,12 @@
 //   digest: sha256:0329f562d24d72e33f1f2d2eb9a756211a0c3c2c92d4486999ca717280f06a74
 //   error against c^n, every code of the cosine: at most 0.27808 (n = 327, c = 0.99609375), bias -0.00176971; 257000 inputs, n in 1..1000, exhaustive
 //   error against c^n, pixels of a lit sphere, 512 x 512: at most 0.857831 (n = 1000, c = 0.9980511597743293), bias -0.00222889; 146779000 inputs, n in 1..1000, exhaustive
+//   certificate: that of quadratic, whose BRDF it computes: BRDF within 0.00454792 of what it computes in real numbers, proved by Gappa 1.4.1; at most 0.004150896096090399 seen, 257000 inputs, exhaustive
 //   iCE40: 1435 LUT, 130 carry, 264 FF, 0 DSP, 0 RAM bits; Yosys 0.23 (git sha1 7ce5011c24b)
 //   iCE40 with DSP: 67 LUT, 48 carry, 264 FF, 7 DSP, 0 RAM bits; Yosys 0.23 (git sha1 7ce5011c24b)
 //   iCE40 HX8K: 63.29 MHz, the least of 5 seeds; nextpnr-ice40 -- Next Generation Place and Route (Version 0.4-1+b1), Yosys 0.23 (git sha1 7ce5011c24b)
 //   OSU018: 5735.4 NAND2, 4913 cells, longest path 5.94 ns; OpenSTA 2.0.17, Yosys 0.23 (git sha1 7ce5011c24b)
-//   not known with these options: certificate, settling
+//   not known with these options: settling
 `default_nettype none
 
 module blysk_quadratic_pipelined_q8 (

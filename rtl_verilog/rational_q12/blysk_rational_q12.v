@@ -5,7 +5,8 @@
 //   digest: sha256:4c55b37f59bdbcd33ab9a0560b31751ad9ac43de96936fa7edd0e7464a2d3b52
 //   error against c^n, every code of the cosine: at most 0.0249206 (n = 148, c = 0.988037109375), bias -5.55317e-05; 4097000 inputs, n in 1..1000, exhaustive
 //   error against c^n, pixels of a lit sphere, 512 x 512: at most 0.11739 (n = 1000, c = 0.9998681020194962), bias -9.7772e-05; 146779000 inputs, n in 1..1000, exhaustive
-//   not known with these options: certificate, iCE40, iCE40 with DSP, iCE40 HX8K, OSU018, settling
+//   certificate: BRDF within 0.00016287 of what it computes in real numbers, proved by Gappa 1.4.1; at most 0.0001475735523979449 seen, 4097000 inputs, exhaustive
+//   not known with these options: iCE40, iCE40 with DSP, iCE40 HX8K, OSU018, settling
 `default_nettype none
 
 module blysk_rational_q12 (

@@ -5,7 +5,8 @@
 //   digest: sha256:2c022f9acc08a081ba8a6a986dbbf31db06eea9ec23337006905a67ef042a923
 //   error against c^n, every code of the cosine: at most 0.0248061 (n = 903, c = 0.9996795654296875), bias -5.60784e-05; 65537000 inputs, n in 1..1000, exhaustive
 //   error against c^n, pixels of a lit sphere, 512 x 512: at most 0.0296898 (n = 914, c = 0.9996566159572426), bias -0.000103714; 146779000 inputs, n in 1..1000, exhaustive
-//   not known with these options: certificate, iCE40, iCE40 with DSP, iCE40 HX8K, OSU018, settling
+//   certificate: BRDF within 1.01793e-05 of what it computes in real numbers, proved by Gappa 1.4.1; at most 9.36057380918065e-06 seen, 65537000 inputs, exhaustive
+//   not known with these options: iCE40, iCE40 with DSP, iCE40 HX8K, OSU018, settling
 `default_nettype none
 
 module blysk_rational_q16 (

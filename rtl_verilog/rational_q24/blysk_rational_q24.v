@@ -3,7 +3,8 @@
 // What blysk knows of it, and the digest of its modules without this comment:
 //   computes: BRDF = max(0, 1 - r u)/(1 + d u), u = 1 - c, r and d for each n, c = cos(delta); red, green, blue = BRDF (R, G, B) k_s
 //   digest: sha256:ab2c0783a7ccaec45db87614e4227d8fbc7a3c63333be1a33d92a8752c50afd6
-//   not known with these options: errors, certificate, iCE40, iCE40 with DSP, iCE40 HX8K, OSU018, settling
+//   certificate: BRDF within 3.97629e-08 of what it computes in real numbers, proved by Gappa 1.4.1; at most 3.736584739294805e-08 seen, 65536000 inputs, sampled
+//   not known with these options: errors, iCE40, iCE40 with DSP, iCE40 HX8K, OSU018, settling
 `default_nettype none
 
 module blysk_rational_q24 (

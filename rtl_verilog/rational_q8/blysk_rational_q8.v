@@ -5,11 +5,12 @@
 //   digest: sha256:15c2ffcc2ad8bba2808c4ffd66ad714a03bcbe2399e1c7ab14a6e36c68f43074
 //   error against c^n, every code of the cosine: at most 0.0267558 (n = 230, c = 0.9921875), bias -3.85608e-05; 257000 inputs, n in 1..1000, exhaustive
 //   error against c^n, pixels of a lit sphere, 512 x 512: at most 0.857831 (n = 1000, c = 0.9980511597743293), bias 0.00114765; 146779000 inputs, n in 1..1000, exhaustive
+//   certificate: BRDF within 0.00260283 of what it computes in real numbers, proved by Gappa 1.4.1; at most 0.0022396362380144863 seen, 257000 inputs, exhaustive
 //   iCE40: 1892 LUT, 355 carry, 44 FF, 0 DSP, 40960 RAM bits; Yosys 0.23 (git sha1 7ce5011c24b)
 //   iCE40 with DSP: 600 LUT, 323 carry, 44 FF, 7 DSP, 40960 RAM bits; Yosys 0.23 (git sha1 7ce5011c24b)
 //   iCE40 HX8K: 10.69 MHz, the least of 5 seeds; nextpnr-ice40 -- Next Generation Place and Route (Version 0.4-1+b1), Yosys 0.23 (git sha1 7ce5011c24b)
 //   OSU018: 8698.5 NAND2, 8308 cells, longest path 27.84 ns; OpenSTA 2.0.17, Yosys 0.23 (git sha1 7ce5011c24b)
-//   not known with these options: certificate, settling
+//   not known with these options: settling
 `default_nettype none
 
 module blysk_rational_q8 (

@@ -5,7 +5,8 @@
 //   digest: sha256:24e24547efa9b3b3030af4e2f9425d5ee0ce701871e562f7eb68d99c207caa28
 //   error against c^n, every code of the cosine: at most 0.223145 (n = 1, c = 0), bias 0.000148249; 4097000 inputs, n in 1..1000, exhaustive
 //   error against c^n, pixels of a lit sphere, 512 x 512: at most 0.212906 (n = 1, c = 0.018539761437612663), bias 9.57231e-05; 146779000 inputs, n in 1..1000, exhaustive
-//   not known with these options: certificate, iCE40, iCE40 with DSP, iCE40 HX8K, OSU018, settling
+//   certificate: BRDF within 0.000383547 of what it computes in real numbers, proved by Gappa 1.4.1; at most 0.00033928616788310385 seen, 4097000 inputs, exhaustive
+//   not known with these options: iCE40, iCE40 with DSP, iCE40 HX8K, OSU018, settling
 `default_nettype none
 
 module blysk_table_q12 (

@@ -5,7 +5,8 @@
 //   digest: sha256:9103e678f084362339d1e2db6634635adf70d8b91516d521219e9c3672ae18e6
 //   error against c^n, every code of the cosine: at most 0.223129 (n = 1, c = 0), bias 0.000148226; 65537000 inputs, n in 1..1000, exhaustive
 //   error against c^n, pixels of a lit sphere, 512 x 512: at most 0.212997 (n = 1, c = 0.018539761437612663), bias 9.10508e-05; 146779000 inputs, n in 1..1000, exhaustive
-//   not known with these options: certificate, iCE40, iCE40 with DSP, iCE40 HX8K, OSU018, settling
+//   certificate: BRDF within 0.000345435 of what it computes in real numbers, proved by Gappa 1.4.1; at most 0.0003356930998373394 seen, 65537000 inputs, exhaustive
+//   not known with these options: iCE40, iCE40 with DSP, iCE40 HX8K, OSU018, settling
 `default_nettype none
 
 module blysk_table_q16 (

@@ -3,7 +3,8 @@
 // What blysk knows of it, and the digest of its modules without this comment:
 //   computes: BRDF = e^-t, 0 from t = 8 on, t = n (1 - c) (1 + (1 - c)/2), c = cos(delta); red, green, blue = BRDF (R, G, B) k_s
 //   digest: sha256:48ca92befcfd202ac556b893c052c1571151e1c0a7353e807079fd04ef22c90e
-//   not known with these options: errors, certificate, iCE40, iCE40 with DSP, iCE40 HX8K, OSU018, settling
+//   certificate: BRDF within 0.000337835 of what it computes in real numbers, proved by Gappa 1.4.1; at most 0.0003354638615369443 seen, 65536000 inputs, sampled
+//   not known with these options: errors, iCE40, iCE40 with DSP, iCE40 HX8K, OSU018, settling
 `default_nettype none
 
 module blysk_table_q24 (

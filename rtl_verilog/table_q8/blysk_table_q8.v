@@ -5,11 +5,12 @@
 //   digest: sha256:5b0b35c44dfbcd5736019f1453f6dd3d1fd5916d963a47174a18700e612d9153
 //   error against c^n, every code of the cosine: at most 0.222656 (n = 1, c = 0), bias 0.000145139; 257000 inputs, n in 1..1000, exhaustive
 //   error against c^n, pixels of a lit sphere, 512 x 512: at most 0.857831 (n = 1000, c = 0.9980511597743293), bias 0.00130017; 146779000 inputs, n in 1..1000, exhaustive
+//   certificate: BRDF within 0.00231906 of what it computes in real numbers, proved by Gappa 1.4.1; at most 0.0021635809316357113 seen, 257000 inputs, exhaustive
 //   iCE40: 1484 LUT, 105 carry, 44 FF, 0 DSP, 0 RAM bits; Yosys 0.23 (git sha1 7ce5011c24b)
 //   iCE40 with DSP: 357 LUT, 48 carry, 44 FF, 7 DSP, 0 RAM bits; Yosys 0.23 (git sha1 7ce5011c24b)
 //   iCE40 HX8K: 17.49 MHz, the least of 5 seeds; nextpnr-ice40 -- Next Generation Place and Route (Version 0.4-1+b1), Yosys 0.23 (git sha1 7ce5011c24b)
 //   OSU018: 4075.4 NAND2, 3877 cells, longest path 18.065 ns; OpenSTA 2.0.17, Yosys 0.23 (git sha1 7ce5011c24b)
-//   not known with these options: certificate, settling
+//   not known with these options: settling
 `default_nettype none
 
 module blysk_table_q8 (

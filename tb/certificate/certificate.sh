@@ -1,16 +1,16 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# certificate.sh prove|update|FAULT CERTIFY ROOT DEVICE FORMAT: proves with Gappa the bound that docs/tables has for the device in
-# the format; finds and writes it; or plants FAULT in the netlist, and the proof has to fail. Exit 77 where Gappa is missing.
+# certificate.sh prove|update|FAULT CERTIFY ROOT EXACT --device D --format F [OPTIONS]: proves with Gappa the bound that
+# docs/tables has for the device in the format, with what the file EXACT says; finds and writes it; or plants FAULT in the netlist,
+# and the proof has to fail. Exit 77 where Gappa is missing.
 set -euo pipefail
 unset CDPATH
-action=$1 certify=$2 root=$3 device=$4 format=$5
+action=$1 certify=$2 root=$3 exact=$4
+shift 4
+chosen=("$@")
 export LC_ALL=C
 command -v gappa >/dev/null || { echo 'gappa is not there: scripts/setup installs it'; exit 77; }
-identifier=${device//-/_}
-exact=$root/tb/devices/$identifier/certificate
-row=$root/docs/tables/$identifier/certificate_$format.json
-chosen=(--device "$device" --format "$format")
+row=$root/docs/tables/$("$certify" place "${chosen[@]}")
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
@@ -53,7 +53,7 @@ bound_of() { sed -nE 's/^  "bound": ([^,]*),?$/\1/p' "$row"; }
 case $action in
   prove)
     prove "$(bound_of)" || exit 1
-    echo "$device $format: |BRDF - formula| <= $(bound_of), $proved scripts proved"
+    echo "${chosen[*]}: |BRDF - formula| <= $(bound_of), $proved scripts proved"
     ;;
   update)
     mkdir "$work/asked"
@@ -68,7 +68,7 @@ case $action in
     prove "$bound" || exit 1
     mkdir -p "${row%/*}"
     "$certify" row "$row" "${chosen[@]}" --bound "$bound" --gappa "$(gappa --version 2>&1 | sed -n 's/^Gappa //p')"
-    echo "$device $format: |BRDF - formula| <= $bound, $proved scripts proved"
+    echo "${chosen[*]}: |BRDF - formula| <= $bound, $proved scripts proved"
     ;;
   *)
     ! prove "$(bound_of)" "$action" || { echo "the proof holds in spite of the fault $action"; exit 1; }

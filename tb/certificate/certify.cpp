@@ -6,35 +6,26 @@
 //   20,000 random inputs and at the ends of the codes. Exit 1 where they differ.
 // certify row FILE --device D --format F ... --bound B --gappa VERSION: measures the largest error of the bit-accurate model,
 //   and writes both as a certificate.
+// certify place --device D --format F ...: prints where the certificate stands below docs/tables.
 // certify page TABLES PAGE [--check]: the table of all certificates in a page.
-// What is exact, and what Gappa has to be told of it, stands in tb/devices/<identifier>/certificate:
-//   let NAME = EXPRESSION                    of the inputs' nets, and of numbers that facts give
-//   fact FORMULA                             given
-//   memory NET ~ NAME within W               the words differ from what NAME is by at most W last places; proved for each n,
-//                                            the expression of NAME taken at n, or, without one, its digits in 50
-//   claim FORMULA                            proved of the formula, then given
-//   case NAME >= 0: VALUE                    the exact BRDF there
-//   case NAME <= 0: VALUE
-//   hint EXPRESSION -> EXPRESSION            a rewriting rule; Gappa proves it
-//   split WHAT                               cases that Gappa tries one by one
+// What is exact, and what Gappa has to be told of it, stands in tb/devices/<identifier>/certificate; specification.h has its form.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <random>
 #include <regex>
 #include <set>
-#include <sstream>
 
+#include "tb/certificate/curves.h"
 #include "tb/certificate/definitions.h"
+#include "tb/certificate/specification.h"
 #include "tb/cost/certificate_row.h"
 #include "tb/cost/cost_row.h"
 #include "tb/cost/delays.h"
 #include "tb/device_arguments.h"
-#include "tb/golden/coefficient.h"
 #include "tb/golden/referee.h"
 #include "tb/netlist/gappa_path.h"
 #include "tb/program.h"
@@ -47,62 +38,6 @@ using namespace blysk;
 namespace fs = std::filesystem;
 
 constexpr const char* kResult = "brdf";
-
-struct memory_claim {
-  std::string net, name, within;
-};
-
-struct specification {
-  std::vector<std::pair<std::string, std::string>> lets;
-  std::vector<std::string> facts, claims, hints, splits;
-  std::vector<memory_claim> memories;
-  std::vector<std::pair<std::string, std::string>> cases;
-};
-
-specification read_specification(const std::string& path) {
-  specification read;
-  std::istringstream lines(cost::read_text(path));
-  std::size_t number = 0;
-  for (std::string line; std::getline(lines, line);) {
-    ++number;
-    if (line.empty() || line.front() == '#') continue;
-    std::smatch found;
-    const std::size_t blank = line.find(' ');
-    const std::string word = line.substr(0, blank);
-    const std::string rest = blank == std::string::npos ? "" : line.substr(blank + 1);
-    if (word == "let" && std::regex_match(rest, found, std::regex(R"((\w+) = (.+))"))) {
-      read.lets.emplace_back(found[1], found[2]);
-    } else if (word == "memory" &&
-               std::regex_match(rest, found, std::regex(R"((\w+) ~ (\w+) within ([0-9.]+))"))) {
-      read.memories.push_back({found[1], found[2], found[3]});
-    } else if (word == "case" && std::regex_match(rest, found, std::regex(R"((.+): (.+))"))) {
-      read.cases.emplace_back(found[1], found[2]);
-    } else if (word == "fact") {
-      read.facts.push_back(rest);
-    } else if (word == "claim") {
-      read.claims.push_back(rest);
-    } else if (word == "hint") {
-      if (rest.find(" / ") != std::string::npos && rest.find(" <> 0") == std::string::npos)
-        throw file_error(path, number, "divides by what may be 0, expected the condition { WHAT <> 0 }");
-      read.hints.push_back(rest);
-    } else if (word == "split") {
-      read.splits.push_back(rest);
-    } else {
-      throw file_error(
-          path, number,
-          fmt::format("'{}' is unknown, expected let, fact, memory, claim, case, hint or split", line));
-    }
-  }
-  const auto is_pair = [&] {
-    if (read.cases.size() != 2) return false;
-    const std::string& first = read.cases[0].first;
-    const std::string name = first.substr(0, first.find(' '));
-    return first == name + " >= 0" && read.cases[1].first == name + " <= 0";
-  };
-  if (!is_pair())
-    throw file_error(path, 0, "has other cases than NAME >= 0 and NAME <= 0, which leave out nothing");
-  return read;
-}
 
 /// The names in an expression of Gappa.
 std::set<std::string> names_in(const std::string& text) {
@@ -128,56 +63,193 @@ std::string around_zero(const std::string& within, int frac) {
   return fmt::format("[-{0}b{1},{0}b{1}]", raw, -frac - kMore);
 }
 
+/// The text with a word in the place of a name.
+std::string with_word(const std::string& text, const std::string& name, const std::string& word) {
+  return std::regex_replace(text, std::regex("\\b" + name + "\\b"), word);
+}
+
+struct address_range {
+  std::size_t first, last;
+};
+
+/// The addresses of a net on some way through the netlist, all of them or a part.
+struct address_group {
+  std::string net;  ///< empty: none is told apart
+  address_range addresses{};
+};
+
 class script_writer {
  public:
   script_writer(specification exact, netlist::gappa_netlist netlist, std::string title)
       : exact_(std::move(exact)), netlist_(std::move(netlist)), title_(std::move(title)) {
     for (const netlist::memory_net& memory : netlist_.memories) {
-      const auto claim = std::ranges::find(exact_.memories, memory.net, &memory_claim::net);
-      if (claim == exact_.memories.end())
+      if (!is_of_exponents(memory) && std::ranges::none_of(exact_.curves, [&](const curve_claim& of) {
+            return of.begin == memory.net || of.change == memory.net;
+          }))
         throw std::logic_error(fmt::format("the certificate says nothing of the memory of {}", memory.net));
-      netlist_.facts.push_back(
-          fmt::format("{} - {} in {}", memory.net, claim->name, around_zero(claim->within, memory.frac)));
-      const auto [low, high] = std::minmax_element(memory.words.begin() + 1, memory.words.end());
-      netlist_.facts.push_back(
-          fmt::format("{} in [{}b{},{}b{}]", memory.net, *low, -memory.frac, *high, -memory.frac));
     }
   }
 
   void write(const fs::path& folder, const std::string& bound) const {
-    for (const netlist::memory_net& memory : netlist_.memories) write_memory(folder, memory);
-    int number = 0;
-    for (const std::string& claim : exact_.claims) {
-      std::vector<std::string> given = exact_.facts;
-      given.insert(given.end(), netlist_.facts.begin(), netlist_.facts.end());
-      write_script(folder / fmt::format("claim_{}.g", ++number), netlist_.paths.front(), given, claim, false);
+    for (const netlist::memory_net& memory : netlist_.memories) {
+      if (is_of_exponents(memory)) write_memory(folder, memory);
     }
-    number = 0;
+    write_words(folder);
+    write_claims(folder);
+    int number = 0;
     for (const netlist::gappa_path& path : netlist_.paths) {
-      for (const auto& [condition, value] : exact_.cases) {
-        std::vector<std::string> given = exact_.facts;
-        for (const auto* more : {&netlist_.facts, &exact_.claims, &path.conditions})
-          given.insert(given.end(), more->begin(), more->end());
-        given.push_back(condition);
-        const std::string error = value == "0" ? kResult : fmt::format("{} - {}", kResult, value);
-        // A constant needs no splits.
-        static const std::regex constant(std::string(kResult) + R"( = -?\d+b-?\d+;)");
-        const bool is_plain = std::regex_match(path.definitions.back(), constant);
-        write_script(folder / fmt::format("case_{}.g", ++number), path, given,
-                     bound.empty() ? error + " in ?" : fmt::format("{} in [-{},{}]", error, bound, bound),
-                     !is_plain);
+      for (const address_group& group : groups_of(path)) {
+        for (const auto& [condition, value, if_formula] : cases_of(path)) {
+          std::vector<std::string> given = facts_of(path, group);
+          for (const auto* more : {&exact_.claims, &path.conditions})
+            given.insert(given.end(), more->begin(), more->end());
+          if (!condition.empty()) given.push_back(condition);
+          const std::string error = value == "0" ? kResult : fmt::format("{} - {}", kResult, value);
+          // A constant needs no splits.
+          static const std::regex constant(std::string(kResult) + R"( = -?\d+b-?\d+;)");
+          const bool is_plain = std::regex_match(path.definitions.back(), constant);
+          std::string wanted =
+              bound.empty() ? error + " in ?" : fmt::format("{} in [-{},{}]", error, bound, bound);
+          if (!bound.empty() && !if_formula.empty()) wanted = conjunction({if_formula, wanted});
+          write_script(folder / fmt::format("case_{}.g", ++number), path, given, wanted, !is_plain);
+        }
       }
     }
   }
 
  private:
+  /// Its words are numbers of an exponent, whose addresses begin at 1.
+  bool is_of_exponents(const netlist::memory_net& memory) const {
+    return std::ranges::find(exact_.memories, memory.net, &memory_claim::net) != exact_.memories.end();
+  }
+
+  const netlist::memory_net& memory_of(const std::string& net) const {
+    const auto found = std::ranges::find(netlist_.memories, net, &netlist::memory_net::net);
+    if (found == netlist_.memories.end())
+      throw std::logic_error(
+          fmt::format("the certificate speaks of the memory of {}, which is not there", net));
+    return *found;
+  }
+
+  /// What the error of a word is at most, in last places.
+  const std::string& within(const netlist::memory_net& memory, std::size_t address) const {
+    const std::string* found = nullptr;
+    for (const memory_claim& each : exact_.memories) {
+      if (each.net == memory.net && each.from <= address) found = &each.within;
+    }
+    if (found == nullptr) throw std::logic_error(fmt::format("no bound of the words of {}", memory.net));
+    return *found;
+  }
+
+  /// The exact BRDF and where it is that; on a way of its own everywhere.
+  std::vector<exact_case> cases_of(const netlist::gappa_path& path) const {
+    for (const exact_case& way : exact_.ways) {
+      if (std::ranges::find(path.conditions, way.condition) != path.conditions.end())
+        return {{"", way.value, way.if_formula}};
+    }
+    return exact_.cases;
+  }
+
+  std::vector<address_group> groups_of(const netlist::gappa_path& path) const {
+    std::vector<address_group> all;
+    for (const address_groups& asked : exact_.groups) {
+      if (!asked.condition.empty() &&
+          std::ranges::find(path.conditions, asked.condition) == path.conditions.end())
+        continue;
+      const auto memory = std::ranges::find(netlist_.memories, asked.net, &netlist::memory_net::index);
+      if (memory == netlist_.memories.end() || !all.empty())
+        throw std::logic_error(
+            fmt::format("the certificate tells addresses {} apart, expected those of one "
+                        "net that addresses a memory",
+                        asked.net));
+      const std::size_t words = memory->words.size();
+      std::size_t first = is_of_exponents(*memory) ? 1 : 0;
+      for (const std::string& each : asked.firsts) {
+        const std::size_t slash = each.find('/');
+        const std::size_t next = slash == std::string::npos
+                                     ? std::stoul(each)
+                                     : words * std::stoul(each) / std::stoul(each.substr(slash + 1));
+        if (next <= first || next >= words)
+          throw std::logic_error(fmt::format("addresses {} cannot be told apart at {}", asked.net, each));
+        all.push_back({asked.net, {first, next - 1}});
+        first = next;
+      }
+      all.push_back({asked.net, {first, words - 1}});
+    }
+    if (all.empty()) all.emplace_back();
+    return all;
+  }
+
+  address_range addresses_of(const netlist::memory_net& memory, const address_group& group) const {
+    if (group.net == memory.index) return group.addresses;
+    return {is_of_exponents(memory) ? std::size_t{1} : 0, memory.words.size() - 1};
+  }
+
+  /// What is given on a way, for the addresses of a group.
+  std::vector<std::string> facts_of(const netlist::gappa_path& path, const address_group& group) const {
+    std::vector<std::string> given = exact_.facts;
+    given.insert(given.end(), path.facts.begin(), path.facts.end());
+    if (!group.net.empty())
+      given.push_back(fmt::format("{} in [{},{}]", group.net, group.addresses.first, group.addresses.last));
+    for (const netlist::memory_net& memory : netlist_.memories) {
+      const auto [first, last] = addresses_of(memory, group);
+      if (is_of_exponents(memory)) {
+        std::string widest = within(memory, first);
+        for (std::size_t n = first + 1; n <= last; ++n) {
+          if (std::stod(within(memory, n)) > std::stod(widest)) widest = within(memory, n);
+        }
+        const auto claim = std::ranges::find(exact_.memories, memory.net, &memory_claim::net);
+        given.push_back(
+            fmt::format("{} - {} in {}", memory.net, claim->name, around_zero(widest, memory.frac)));
+      }
+      const auto word = [&](std::size_t at) {
+        return memory.words.begin() + static_cast<std::ptrdiff_t>(at);
+      };
+      const auto [low, high] = std::minmax_element(word(first), word(last) + 1);
+      given.push_back(
+          fmt::format("{} in [{}b{},{}b{}]", memory.net, *low, -memory.frac, *high, -memory.frac));
+    }
+    for (const std::string& each : exact_.words) given.push_back(each + " >= 0");
+    for (const curve_claim& claim : exact_.curves) {
+      const netlist::memory_net& begins = memory_of(claim.begin);
+      const netlist::memory_net& changes = memory_of(claim.change);
+      if (begins.index != changes.index)
+        throw std::logic_error(fmt::format("{} and {} have other addresses", begins.net, changes.net));
+      const convex_curve& curve = convex_curves().at(claim.function);
+      const stored_lines lines{.begins = begins.words,
+                               .changes = changes.words,
+                               .begin_frac = begins.frac,
+                               .change_frac = changes.frac,
+                               .from = dyadic(claim.from),
+                               .length = dyadic(claim.length) / begins.words.size(),
+                               .half = dyadic(claim.half)};
+      const auto [first, last] = addresses_of(begins, group);
+      const std::string half = claim.half == "0" ? "" : " - " + claim.half;
+      const std::string error =
+          fmt::format("{} + {} * {}{} - {}", claim.begin, claim.change, claim.place, half, claim.name);
+      const errors_of_lines errors = compare(lines, curve, first, last);
+      given.push_back(fmt::format("{} in {}", error, errors.absolute.text()));
+      if (claim.is_relative)
+        given.push_back(fmt::format("({}) / {} in {}", error, claim.name, errors.relative.text()));
+      given.push_back(fmt::format("{} in {}", claim.name, range_of_curve(lines, curve, first, last).text()));
+    }
+    return given;
+  }
+
+  /// "5" or "1b-12"
+  static golden::referee dyadic(const std::string& text) {
+    const std::size_t b = text.find('b');
+    return ldexp(golden::referee(std::stoll(text)),
+                 b == std::string::npos ? 0 : std::stoi(text.substr(b + 1)));
+  }
+
   void write_script(const fs::path& file, const netlist::gappa_path& path,
                     const std::vector<std::string>& given, const std::string& wanted, bool has_splits) const {
     std::string text = fmt::format("# {}\n", title_);
     std::set<std::string> known = kWords;
     for (const std::string& line : path.definitions) text += line + "\n";
     for (const auto& [name, expression] : exact_.lets) text += fmt::format("{} = {};\n", name, expression);
-    for (const auto* lines : {&path.definitions, &netlist_.facts, &exact_.facts}) {
+    for (const auto* lines : {&path.definitions, &given}) {
       for (const std::string& line : *lines) known.merge(names_in(line));
     }
     for (const auto& [name, expression] : exact_.lets) known.insert(name);
@@ -192,39 +264,74 @@ class script_writer {
     cost::write_text(file.string(), text);
   }
 
+  /// Of the way that defines most.
+  void write_claims(const fs::path& folder) const {
+    const auto size = [](const netlist::gappa_path& path) { return path.definitions.size(); };
+    const netlist::gappa_path& path = *std::ranges::max_element(netlist_.paths, {}, size);
+    int number = 0;
+    for (const std::string& claim : exact_.claims)
+      write_script(folder / fmt::format("claim_{}.g", ++number), path, facts_of(path, {}), claim, false);
+  }
+
   /// Each word beside what it stands for.
   void write_memory(const fs::path& folder, const netlist::memory_net& memory) const {
     const auto claim = std::ranges::find(exact_.memories, memory.net, &memory_claim::net);
-    const auto let = std::ranges::find(exact_.lets, claim->name, &std::pair<std::string, std::string>::first);
+    const auto let = std::ranges::find(exact_.lets, claim->name, &named_texts::value_type::first);
     std::vector<std::string> given, wanted;
     for (std::size_t n = 1; n < memory.words.size(); ++n) {
       std::string exact;
       if (let != exact_.lets.end()) {
-        exact = fmt::format("({})", std::regex_replace(let->second, std::regex("\\b" + memory.index + "\\b"),
-                                                       fmt::format("{}", n)));
+        exact = fmt::format("({})", with_word(let->second, memory.index, std::to_string(n)));
       } else {
+        const auto number = std::ranges::find(exact_.numbers, claim->name, &named_texts::value_type::first);
+        if (number == exact_.numbers.end())
+          throw std::logic_error(fmt::format("the certificate does not say what {} is", claim->name));
         exact = fmt::format("exact_{}", n);
-        const auto value = golden::exact_coefficient<golden::referee>(golden::referee(n));
-        constexpr int kDigits = 40;
-        const golden::referee apart = pow(golden::referee(10), -kDigits + 6);
-        const auto digits = [](const golden::referee& of) { return of.str(kDigits, std::ios_base::fixed); };
-        given.push_back(fmt::format("{} in [{},{}]", exact, digits(value - apart), digits(value + apart)));
+        const golden::referee value = numbers_of().at(number->second)(golden::referee(n));
+        given.push_back(fmt::format("{} in {}", exact, outward(value, value).text()));
       }
       wanted.push_back(fmt::format("{}b{} - {} in {}", memory.words[n], -memory.frac, exact,
-                                   around_zero(claim->within, memory.frac)));
+                                   around_zero(within(memory, n), memory.frac)));
     }
-    std::string text = fmt::format("# {}: the words of {}\n", title_, memory.net);
+    write_goals(folder, "memory_" + memory.net, exact_.facts, given, wanted);
+  }
+
+  /// What holds of the words of one address.
+  void write_words(const fs::path& folder) const {
+    int number = 0;
+    for (const std::string& each : exact_.words) {
+      const std::set<std::string> names = names_in(each);
+      std::vector<const netlist::memory_net*> memories;
+      for (const std::string& name : names) memories.push_back(&memory_of(name));
+      std::vector<std::string> wanted;
+      for (std::size_t n = 1; n < memories.front()->words.size(); ++n) {
+        std::string text = each;
+        for (const netlist::memory_net* memory : memories)
+          text = with_word(text, memory->net, fmt::format("{}b{}", memory->words.at(n), -memory->frac));
+        wanted.push_back(text + " >= 0");
+      }
+      write_goals(folder, fmt::format("words_{}", ++number), {}, {}, wanted);
+    }
+  }
+
+  /// \param facts  given for all   \param given  as many as wanted, or none
+  void write_goals(const fs::path& folder, const std::string& name, const std::vector<std::string>& facts,
+                   const std::vector<std::string>& given, const std::vector<std::string>& wanted) const {
     // A script takes some hundred goals in little time.
     constexpr std::size_t kAtOnce = 100;
     for (std::size_t first = 0; first < wanted.size(); first += kAtOnce) {
-      const std::size_t last = std::min(first + kAtOnce, wanted.size());
-      const auto part = [&](const std::vector<std::string>& of) {
-        return conjunction({of.begin() + static_cast<std::ptrdiff_t>(first),
-                            of.begin() + static_cast<std::ptrdiff_t>(last)});
+      const auto part = [first](const std::vector<std::string>& of) {
+        const auto at = [&of](std::size_t i) {
+          return of.begin() + static_cast<std::ptrdiff_t>(std::min(i, of.size()));
+        };
+        return std::vector<std::string>(at(first), at(first + kAtOnce));
       };
-      cost::write_text((folder / fmt::format("memory_{}_{}.g", memory.net, first + 1)).string(),
-                       given.empty() ? fmt::format("{}{{ {} }}\n", text, part(wanted))
-                                     : fmt::format("{}{{ {} ->\n  {} }}\n", text, part(given), part(wanted)));
+      std::vector<std::string> all = facts;
+      const std::vector<std::string> more = part(given);
+      all.insert(all.end(), more.begin(), more.end());
+      cost::write_text((folder / fmt::format("{}_{}.g", name, first + 1)).string(),
+                       fmt::format("# {}: {}\n{{ {}\n  {} }}\n", title_, name,
+                                   all.empty() ? "" : conjunction(all) + " ->", conjunction(part(wanted))));
     }
   }
 
@@ -359,7 +466,7 @@ int main(int argc, char** argv) {
   asked_device asked;
   std::string folder, file, bound, fault, version, specification_file, tables, page;
   bool is_check = false;
-  CLI::App *scripts = nullptr, *row = nullptr, *pages = nullptr, *comparison = nullptr;
+  CLI::App *scripts = nullptr, *row = nullptr, *pages = nullptr, *comparison = nullptr, *place = nullptr;
   return run_program(
       argc, argv, "Bounds the error of a device's datapath with Gappa",
       [&](CLI::App& program) {
@@ -380,6 +487,8 @@ int main(int argc, char** argv) {
           add_device_arguments(*each, asked, purpose::hardware);
           each->add_option("--bound", bound, "of the error");
         }
+        place = program.add_subcommand("place", "print where the certificate stands below docs/tables");
+        add_device_arguments(*place, asked, purpose::hardware);
         pages = program.add_subcommand("page", "write the table of all certificates");
         pages->add_option("TABLES", tables, "folder of the measured files")->required();
         pages->add_option("PAGE", page, "with the table")->required();
@@ -398,15 +507,20 @@ int main(int argc, char** argv) {
           return 0;
         }
         const selection chosen = asked.choose();
+        if (place->parsed()) {
+          fmt::print("{}\n", cost::row_path("certificate", chosen));
+          return 0;
+        }
         if (comparison->parsed()) return compare(chosen, fault_of(fault));
         if (scripts->parsed()) {
           const auto device = chosen.of().elaborate(chosen, 0);
-          const script_writer writer(read_specification(specification_file),
+          const script_writer writer(read_specification(specification_file, chosen.fraction()),
                                      netlist::read_gappa(*device, kResult, fault_of(fault)), chosen.text());
           writer.write(folder, bound);
         } else {
           const cost::certificate made{.device = chosen.of().name(),
                                        .format = chosen.format(),
+                                       .options = cost::given_options(chosen),
                                        .digest = cost::digest_of(chosen),
                                        .gappa = version,
                                        .bound = std::stod(bound),

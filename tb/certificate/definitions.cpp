@@ -91,6 +91,7 @@ class expression_reader {
       return takes('b') ? std::ldexp(value, integer()) : value;
     }
     const std::string name = word(std::isalnum);
+    if (name == "int") return floored(0);
     if (name != "fixed") {
       const auto found = known_.find(name);
       if (found == known_.end()) fail();
@@ -98,8 +99,14 @@ class expression_reader {
     }
     if (!takes('<')) fail();
     const int place = integer();
-    for (const char each : {',', 'd', 'n', '>', '('}) {
-      if (!takes(each)) fail();
+    if (!takes(',')) fail();
+    return floored(place, "dn>(");
+  }
+
+  /// What stands in brackets, rounded down.
+  long double floored(int place, const char* before = "<dn>(") {
+    for (; *before != 0; ++before) {
+      if (!takes(*before)) fail();
     }
     return std::ldexp(std::floor(std::ldexp(in_brackets(), -place)), place);
   }
@@ -129,11 +136,22 @@ std::optional<long double> compute(const netlist::gappa_netlist& of, const named
   std::optional<long double> found;
   for (const netlist::gappa_path& path : of.paths) {
     named_numbers known = given;
-    const auto add_memories = [&] {
+    const auto add_nets = [&] {
+      for (const netlist::normalised_net& each : of.normalised) {
+        if (known.contains(each.net + "_any") || !known.contains(each.from)) continue;
+        // from = mantissa 2^(-zeros - 1); 1 has the mantissa 2, and 0 none.
+        const auto code = static_cast<std::int64_t>(std::ldexp(known.at(each.from), each.frac));
+        std::int64_t zeros = 0;
+        while (code != 0 && zeros + 1 < each.frac && code >> (each.frac - 1 - zeros) == 0) ++zeros;
+        const std::int64_t mantissa = code >> each.frac != 0 ? code : code << zeros;
+        known[each.net + "_any"] = static_cast<long double>(each.is_mantissa ? mantissa : zeros);
+      }
       for (const netlist::memory_net& memory : of.memories) {
         if (known.contains(memory.net) || !known.contains(memory.index)) continue;
         const auto address = static_cast<std::size_t>(known.at(memory.index));
-        known[memory.net] = std::ldexp(static_cast<long double>(memory.words.at(address)), -memory.frac);
+        // On a way that is not taken an address may lie beyond the words.
+        const std::int64_t word = address < memory.words.size() ? memory.words[address] : 0;
+        known[memory.net] = std::ldexp(static_cast<long double>(word), -memory.frac);
       }
     };
     for (const std::string& line : path.definitions) {
@@ -141,7 +159,7 @@ std::optional<long double> compute(const netlist::gappa_netlist& of, const named
       if (sign == std::string::npos || !line.ends_with(';')) throw std::logic_error("no definition: " + line);
       const std::string name = line.substr(0, sign);
       if (!known.contains(name)) known[name] = value_of(line.substr(sign + 3, line.size() - sign - 4), known);
-      add_memories();
+      add_nets();
     }
     if (!std::ranges::all_of(path.conditions, [&](const std::string& each) { return holds(each, known); }))
       continue;

@@ -133,17 +133,22 @@ class figures {
     }
   }
 
-  /// None is made of other options.
+  /// Of the Verilog itself; or, where the results are those of another device, that device's.
   void add_certificate() {
-    const std::string place = row_path("certificate", asked_);
+    const selection other = computed_as(asked_);
+    const bool is_own = &other.of() == &asked_.of();
+    const std::string place = row_path("certificate", other);
     const std::optional<std::string> text = embedded_text(place);
     if (!text) return missing_.emplace_back("certificate"), void();
     const certificate row = parse_certificate(place, *text);
-    if (row.digest != digest_) return missing_.emplace_back("certificate"), void();
-    add("certificate", fmt::format("BRDF within {} of what it computes in real numbers, proved by Gappa {}; "
-                                   "at most {} seen, {} inputs, {}",
-                                   row.bound, row.gappa, row.seen.max_abs_err, row.seen.inputs,
-                                   row.seen.is_exhaustive ? "exhaustive" : "sampled"));
+    if (is_own && row.digest != digest_) return missing_.emplace_back("certificate"), void();
+    const std::string whose =
+        is_own ? "" : fmt::format("that of {}, whose BRDF it computes: ", other.of().name());
+    add("certificate",
+        fmt::format("{}BRDF within {} of what it computes in real numbers, proved by Gappa {}; "
+                    "at most {} seen, {} inputs, {}",
+                    whose, row.bound, row.gappa, row.seen.max_abs_err, row.seen.inputs,
+                    row.seen.is_exhaustive ? "exhaustive" : "sampled"));
   }
 
   void add_cost() {

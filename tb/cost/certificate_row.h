@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-/// A proved bound of a device's error, beside the largest error that was seen: docs/tables/<identifier>/certificate_<format>.json.
+/// A proved bound of a device's error, beside the largest error that was seen: docs/tables/<identifier>/certificate_<format>.json,
+/// with "_<option>_<value>" behind the format for each option that is no preset.
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -17,11 +19,11 @@ struct seen_error {
   bool is_exhaustive = false;  ///< all legal codes of n and cos
 };
 
-/// Of a device with its presets.
 struct certificate {
   std::string device, format;
-  std::string digest;  ///< of the Verilog of the same netlist
-  std::string gappa;   ///< its version
+  std::map<std::string, std::string> options = {};  ///< those that differ from their presets
+  std::string digest;                               ///< of the Verilog of the same netlist
+  std::string gappa;                                ///< its version
   double bound =
       0;  ///< |BRDF of the netlist - BRDF of the formula in real numbers| is at most that, dimensionless
   seen_error seen;
@@ -34,7 +36,7 @@ nlohmann::ordered_json json_of(const certificate& row);
 certificate parse_certificate(const std::string& path, const std::string& text);
 
 /// The table between the lines "<!-- generated: certificates -->" and "<!-- end of generated -->" of a page: all
-/// certificates of a folder.
+/// certificates of a folder, and a line for each device that computes as another one does.
 /// \throws usage_error for a page without them, or a file that is no certificate
 std::string with_certificates(const std::string& tables, const std::string& path, const std::string& page);
 

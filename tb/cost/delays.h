@@ -20,7 +20,8 @@ device_delays parse_delays(const std::string& path, const std::string& text);
 /// Delays that were measured of the Verilog that the device exports today.
 /// \param file    of scripts/synth --delays; empty for the embedded one
 /// \param digest  of today's Verilog
-/// \throws usage_error if there is none, or it belongs to another device, format, choice of options or Verilog
+/// \throws usage_error if there is none, or it belongs to another device, format, choice of options or Verilog;
+///         std::invalid_argument for a device that takes its inputs by start and ready
 device_delays read_delays(const std::string& file, const selection& asked, const std::string& digest);
 
 /// The digest of the Verilog that a device exports, made in a process of its own: SystemC elaborates once in each.

@@ -90,9 +90,14 @@ check_errors() { # FILE DOMAIN WORDS
   expect "status, $2" "${said##*, }" "$(of_section status)"
 }
 
-check_certificate() { # FILE
-  local said got
+check_certificate() { # FILE [OTHER]
+  local said got digest=$digest
   said=$(line certificate)
+  if [ -n "${2:-}" ]; then
+    expect 'device of the certificate' "${said%%: *}" "that of $2, whose BRDF it computes"
+    said=${said#*: }
+    digest=$(sed -n 's/^\/\/   digest: //p' "$root/rtl_verilog/${2//-/_}_$format/blysk_${2//-/_}_$format.v")
+  fi
   read -r -a got <<<"$(numbers "$said" '^BRDF within ([^ ]+) of what it computes in real numbers, proved by Gappa ([^;]+); at most ([^ ]+) seen, ([0-9]+) inputs, (.*)')"
   expect certificate "${got[0]-}" "$(value "$1" bound)"
   expect 'version of Gappa' "${got[1]-}" "$(value "$1" gappa)"
@@ -135,9 +140,10 @@ check() {
   check_cells "$file" ice40_dsp 'iCE40 with DSP'
   check_cells "$file" hx8k 'iCE40 HX8K'
   check_cells "$file" osu018 OSU018
-  file=$root/docs/tables/$device/certificate_$format.json said=$(line certificate)
+  file=${other:-$device}
+  file=$root/docs/tables/${file//-/_}/certificate_$format.json said=$(line certificate)
   if [ -f "$file" ]; then
-    check_certificate "$file"
+    check_certificate "$file" "$other"
   else
     { [ -z "$said" ] && grep -qE '^//   not known[^:]*:.* certificate' <<<"$header"; } ||
       wrong 'says nothing of a certificate, or of one that is not there'
@@ -204,7 +210,7 @@ noticed() { # SED ENDING
 noticed 's/^(\/\/   error .*: at most )0\.2/\10.3/' v
 noticed 's/bias -/bias /' v
 noticed 's/^(\/\/   iCE40: )/\11/' v
-noticed 's/^(\/\/   certificate: BRDF within )/\11/' v
+noticed 's/^(\/\/   certificate: .*BRDF within )/\11/' v
 noticed 's/([0-9.]+ NAND2,)/1\1/' v
 noticed 's/^(\/\/   settles: within )/\11/' v
 noticed 's/^(\/\/   OSU018:).*//' v

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <map>
 #include <optional>
-#include <set>
 #include <stdexcept>
 
 namespace blysk::netlist {
@@ -65,18 +64,19 @@ class reader {
   gappa_path path;
   std::vector<std::string> facts;
   std::vector<memory_net> memories;
+  std::vector<normalised_net> normalised;
 
   void read(const std::string& result) {
-    const auto modules = in_order_of_data(device_, registers_are::transparent);
-    std::set<channel> nets{find_channel(result)};
-    const std::set<const sc_core::sc_module*> wanted = cone_of(modules, nets);
+    // For its check: no loop.
+    in_order_of_data(device_, registers_are::transparent);
     for (const auto& port : device_.ports()) {
-      if (port->what.is_input() && nets.contains(find_channel(port->what.name))) add_input(*port);
+      if (port->what.is_input()) inputs_[find_channel(port->what.name)] = port.get();
     }
-    for (const sc_core::sc_module* module : modules) {
-      if (!wanted.contains(module)) continue;
-      translate(*module, *device_.parts().find(*module));
+    for (const sc_core::sc_module* module : device_.parts().modules()) {
+      for (channel of : channels(*module, *device_.parts().find(*module), declaration::role::output))
+        drivers_[of] = module;
     }
+    value_of_net(find_channel(result));
   }
 
  private:
@@ -108,18 +108,23 @@ class reader {
     return found;
   }
 
-  /// The modules that the nets depend on; the nets between them are added.
-  std::set<const sc_core::sc_module*> cone_of(const std::vector<const sc_core::sc_module*>& modules,
-                                              std::set<channel>& nets) const {
-    std::set<const sc_core::sc_module*> cone;
-    for (auto each = modules.rbegin(); each != modules.rend(); ++each) {
-      const block& part = *device_.parts().find(**each);
-      const auto outputs = channels(**each, part, declaration::role::output);
-      if (std::ranges::none_of(outputs, [&](channel of) { return nets.contains(of); })) continue;
-      cone.insert(*each);
-      for (channel of : channels(**each, part, declaration::role::input)) nets.insert(of);
+  /// What a port or a block drives. A net that no selection of this way asks for is never read.
+  number value_of_net(channel of) {
+    const auto known = values_.find(of);
+    if (known != values_.end()) return known->second;
+    const auto input = inputs_.find(of);
+    if (input != inputs_.end()) {
+      add_input(*input->second);
+      return values_.at(of);
     }
-    return cone;
+    const auto driver = drivers_.find(of);
+    if (driver == drivers_.end()) throw std::logic_error("a net is driven by nothing");
+    // A block asks for others in the middle of its own law.
+    reading outer;
+    std::swap(outer, now_);
+    const number value = driven_by(*driver->second, of);
+    std::swap(outer, now_);
+    return values_[of] = value;
   }
 
   void add_input(const bound_port& port) {
@@ -136,44 +141,87 @@ class reader {
     values_[of] = {.text = name, .scale = format.frac};
   }
 
-  void translate(const sc_core::sc_module& module, const block& part) {
-    part_ = &part;
-    names_.clear();
-    nodes_.clear();
-    instance_ = module.basename();
+  number driven_by(const sc_core::sc_module& module, channel of) {
+    now_.part = device_.parts().find(module);
+    now_.instance = module.basename();
+    const declaration* output = nullptr;
     for (const sc_core::sc_port_base* port : ports_of_module(module)) {
-      const declaration& described = part.described(port->basename());
-      if (described.where == declaration::role::input)
-        names_[described.name] = values_.at(port->get_interface());
+      const declaration& described = now_.part->described(port->basename());
+      if (described.where == declaration::role::input) {
+        now_.inputs[described.name] = port->get_interface();
+      } else if (port->get_interface() == of) {
+        output = &described;
+      }
     }
-    for (const sc_core::sc_port_base* port : ports_of_module(module)) {
-      const declaration& described = part.described(port->basename());
-      if (described.where == declaration::role::output)
-        values_[port->get_interface()] = net_of(port->get_interface(), described);
-    }
+    return net_of(of, *output);
   }
 
   /// Defines the net that an output drives.
   number net_of(channel of, const declaration& described) {
     const std::string net = name_of(of);
-    target_ = net;
-    frac_ = described.carries ? described.carries->frac : 0;
-    const number value = is_divider() ? quotient() : value_of_name(described.name);
+    now_.target = net;
+    now_.frac = described.carries ? described.carries->frac : 0;
+    const number value = value_of_output(described.name);
     if (!value.is_known || !value.if_one.empty()) return value;
     // Carries and other integers stay numbers; a number with a name is what hints speak of.
-    if (value.constant && frac_ == 0) return value;
-    std::string text = value.constant ? dyadic(*value.constant, frac_)
-                                      : at_scale({.text = value.text, .scale = value.scale}, frac_);
+    if (value.constant && now_.frac == 0) return value;
+    std::string text = value.constant ? dyadic(*value.constant, now_.frac)
+                                      : at_scale({.text = value.text, .scale = value.scale}, now_.frac);
     if (text != net) path.definitions.push_back(fmt::format("{} = {};", net, text));
-    return {.text = net, .scale = frac_, .floored = value.scale == frac_ ? value.floored : ""};
+    number made{.text = net, .scale = now_.frac};
+    if (value.scale == now_.frac) made.floored = value.floored;
+    // A quotient of 0 needs no divisor.
+    if (value.constant && *value.constant == 0) made.constant = 0;
+    return made;
   }
 
-  bool is_divider() const { return part_->words().starts_with("Divider:"); }
+  /// Blocks whose laws are many selections are taken by their words.
+  number value_of_output(const std::string& name) {
+    if (now_.part->words().starts_with("Divider:")) return quotient();
+    if (now_.part->words().starts_with("Normaliser:")) return of_normaliser(name);
+    if (now_.part->words().starts_with("Barrel shifter:")) return shifted_by_number();
+    return value_of_name(name);
+  }
 
   number quotient() {
-    const number& a = names_.at("a_i");
-    const number& b = names_.at("b_i");
-    return rounded_down(fmt::format("({} / {})", a.text, b.text), frac_);
+    const number a = value_of_name("a_i");
+    if (a.constant && *a.constant == 0) return a;
+    const number b = value_of_name("b_i");
+    return rounded_down(fmt::format("({} / {})", a.text, b.text), now_.frac);
+  }
+
+  /// a_i = m_o 2^(-zeros_o - 1): mantissa and zeros are free within their formats, which is more than there is.
+  number of_normaliser(const std::string& name) {
+    const number a = value_of_name("a_i");
+    if (name == "zero_o") {
+      number bit;
+      bit.if_one = fmt::format("{} <= 0", a.text);
+      bit.if_zero = fmt::format("{} >= {}", a.text, dyadic(1, a.scale));
+      return bit;
+    }
+    const wire_format& format = *now_.part->described(name).carries;
+    const bool is_mantissa = name == "m_o";
+    const std::string code = now_.target + "_code";
+    path.definitions.push_back(fmt::format("{0} = int<dn>({1}_any);", code, now_.target));
+    facts.push_back(is_mantissa ? fmt::format("{} in [1b{},2b{}]", code, format.frac, format.frac)
+                                : fmt::format("{} in [{},{}]", code, format.min, format.max));
+    normalised.push_back({now_.target, a.text, a.scale, is_mantissa});
+    return {.text = fmt::format("({} * {})", code, dyadic(1, format.frac)), .scale = format.frac};
+  }
+
+  /// a_i 2^-places_i: a way for each number of places, of which "<net>_weight" is the 2^-places_i.
+  number shifted_by_number() {
+    const std::int64_t most = now_.part->described("places_i").carries->max;
+    const number places = value_of_name("places_i");
+    std::int64_t taken = 0;
+    while (taken < most && !chooses_next()) ++taken;
+    path.conditions.push_back(fmt::format("{} >= {}", places.text, taken));
+    path.conditions.push_back(fmt::format("{} <= {}", places.text, taken));
+    path.definitions.push_back(fmt::format("{}_weight = 1b-{};", places.text, taken));
+    number a = value_of_name("a_i");
+    a.floored.clear();
+    if (taken == 0) return a;
+    return rounded_down(fmt::format("({} * {})", a.text, dyadic(1, static_cast<int>(taken))), now_.frac);
   }
 
   /// Names a value that is rounded down to a number of fraction bits.
@@ -183,7 +231,7 @@ class reader {
     return {.text = name, .scale = frac, .floored = what};
   }
 
-  std::string new_name() { return fmt::format("{}_{}", target_, ++counter_); }
+  std::string new_name() { return fmt::format("{}_{}", now_.target, ++counter_); }
 
   std::string named(const std::string& text) {
     if (is_name(text)) return text;
@@ -196,28 +244,31 @@ class reader {
   }
 
   number value_of_name(const std::string& name) {
-    const auto known = names_.find(name);
-    if (known != names_.end()) return known->second;
-    const auto has_name = [&](const auto& target) { return part_->declarations()[target].name == name; };
-    const auto driven = std::ranges::find_if(part_->drives(), has_name, &assignment::target);
-    const auto kept = std::ranges::find_if(part_->registers(), has_name, &flip_flops::q);
-    if (driven == part_->drives().end() && kept == part_->registers().end())
+    const auto known = now_.names.find(name);
+    if (known != now_.names.end()) return known->second;
+    const auto input = now_.inputs.find(name);
+    if (input != now_.inputs.end()) return now_.names[name] = value_of_net(input->second);
+    const auto has_name = [&](const auto& target) { return now_.part->declarations()[target].name == name; };
+    const auto driven = std::ranges::find_if(now_.part->drives(), has_name, &assignment::target);
+    const auto kept = std::ranges::find_if(now_.part->registers(), has_name, &flip_flops::q);
+    if (driven == now_.part->drives().end() && kept == now_.part->registers().end())
       throw std::logic_error(name + " is driven by nothing");
-    return names_[name] = value_of(*(driven != part_->drives().end() ? driven->value : kept->d).root());
+    return now_.names[name] =
+               value_of(*(driven != now_.part->drives().end() ? driven->value : kept->d).root());
   }
 
   number value_of(const node& of) {
-    const auto known = nodes_.find(&of);
-    if (known != nodes_.end()) return known->second;
+    const auto known = now_.nodes.find(&of);
+    if (known != now_.nodes.end()) return known->second;
     const number value = new_value(of);
-    return nodes_[&of] = value;
+    return now_.nodes[&of] = value;
   }
 
   number new_value(const node& of) {
     if (of.op == operation::constant) return constant_of(static_cast<std::int64_t>(of.low));
     if (of.op == operation::signal) return value_of_name(of.name);
     if (of.op == operation::parameter) {
-      const auto found = std::ranges::find(part_->parameters(), of.name, &instance_parameter::name);
+      const auto found = std::ranges::find(now_.part->parameters(), of.name, &instance_parameter::name);
       return constant_of(narrowed(found->value, found->carries ? found->carries->width() : 1));
     }
     std::vector<number> from;
@@ -245,6 +296,12 @@ class reader {
         return shifted_right(*of.operands[0], from[0], of.distance);
       case operation::less:
         return below(from[0], from[1]);
+      case operation::equal:
+        return is_zero(from[0], from[1]);
+      case operation::logical_or:
+        return constant_of(chooses(from[0]) || chooses(from[1]) ? 1 : 0);
+      case operation::bit_and:
+        return lowest_bits(from[0], from[1]);
       case operation::logical_not: {
         if (from[0].constant) return constant_of(*from[0].constant == 0 ? 1 : 0);
         number made = from[0];
@@ -258,7 +315,7 @@ class reader {
       default:
         break;
     }
-    throw std::logic_error(fmt::format("block {} has a law that cannot be told to Gappa", instance_));
+    throw std::logic_error(fmt::format("block {} has a law that cannot be told to Gappa", now_.instance));
   }
 
   std::int64_t narrowed(std::int64_t value, int width) const {
@@ -334,26 +391,56 @@ class reader {
     return made;
   }
 
+  /// a == 0 for a number that is not negative.
+  number is_zero(const number& a, const number& zero) const {
+    if (!zero.constant || *zero.constant != 0 || a.constant)
+      throw std::logic_error(fmt::format("block {} compares with what is not 0", now_.instance));
+    number made;
+    made.if_one = fmt::format("{} <= 0", a.text);
+    made.if_zero = fmt::format("{} >= {}", a.text, dyadic(1, a.scale));
+    return made;
+  }
+
+  /// a & (2^width - 1): what a is above its upper bits.
+  number lowest_bits(const number& a, const number& mask) {
+    if (a.constant && mask.constant) return constant_of(*a.constant & *mask.constant);
+    if (!mask.constant || (*mask.constant & (*mask.constant + 1)) != 0)
+      throw std::logic_error(fmt::format("block {} takes some bits of a number", now_.instance));
+    int width = 0;
+    while (*mask.constant >> width != 0) ++width;
+    const std::string whole = named(a.floored.empty() ? a.text : a.floored);
+    const std::string above = rounded_down(whole, a.scale - width).text;
+    // What is cut below is not what is cut above.
+    if (!a.floored.empty())
+      path.hints.push_back(fmt::format("({0} - {1}) - {2} -> ({0} - {2}) - {1};", a.text, above, whole));
+    return {.text = fmt::format("({} - {})", a.text, above), .scale = a.scale};
+  }
+
+  bool chooses_next() {
+    if (asked_ == choices_.size()) choices_.push_back(true);
+    return choices_[asked_++];
+  }
+
   bool chooses(const number& bit) {
     if (bit.constant) return *bit.constant != 0;
     if (bit.if_one.empty())
-      throw std::logic_error(fmt::format("block {} selects by a number that is no comparison", instance_));
-    if (asked_ == choices_.size()) choices_.push_back(true);
-    const bool is_one = choices_[asked_++];
+      throw std::logic_error(
+          fmt::format("block {} selects by a number that is no comparison", now_.instance));
+    const bool is_one = chooses_next();
     path.conditions.push_back(is_one ? bit.if_one : bit.if_zero);
     return is_one;
   }
 
   number word(const node& of, const number& index) {
     if (!is_name(index.text))
-      throw std::logic_error(fmt::format("memory {} has no plain address", instance_));
-    const auto found = std::ranges::find(memories, target_, &memory_net::net);
+      throw std::logic_error(fmt::format("memory {} has no plain address", now_.instance));
+    const auto found = std::ranges::find(memories, now_.target, &memory_net::net);
     if (found == memories.end()) {
-      memory_net made{target_, index.text, frac_, of.table};
+      memory_net made{now_.target, index.text, now_.frac, of.table};
       for (std::int64_t& each : made.words) each = narrowed(each, 64);
       memories.push_back(made);
     }
-    return {.text = target_, .scale = frac_};
+    return {.text = now_.target, .scale = now_.frac};
   }
 
   const elaborated& device_;
@@ -361,12 +448,20 @@ class reader {
   std::vector<bool>& choices_;
   std::size_t asked_ = 0;
   std::map<channel, number> values_;
-  const block* part_ = nullptr;
-  std::string instance_, target_;  // the block and the net that are read
-  int frac_ = 0;                   // of the net
+  std::map<channel, const bound_port*> inputs_;
+  std::map<channel, const sc_core::sc_module*> drivers_;
+
+  /// The block and the net that are read.
+  struct reading {
+    const block* part = nullptr;
+    std::string instance, target;
+    int frac = 0;  // of the net
+    std::map<std::string, channel> inputs;
+    std::map<std::string, number> names;
+    std::map<const node*, number> nodes;
+  };
+  reading now_;
   int counter_ = 0;
-  std::map<std::string, number> names_;
-  std::map<const node*, number> nodes_;
   std::map<std::string, std::string> defined_;  // names by text
 };
 
@@ -379,8 +474,15 @@ gappa_netlist read_gappa(const elaborated& device, const std::string& result, pl
   while (true) {
     reader one(device, fault, choices);
     one.read(result);
-    all.facts = one.facts;
-    all.memories = one.memories;
+    one.path.facts = one.facts;
+    for (const memory_net& each : one.memories) {
+      if (std::ranges::find(all.memories, each.net, &memory_net::net) == all.memories.end())
+        all.memories.push_back(each);
+    }
+    for (const normalised_net& each : one.normalised) {
+      if (std::ranges::find(all.normalised, each.net, &normalised_net::net) == all.normalised.end())
+        all.normalised.push_back(each);
+    }
     all.paths.push_back(one.path);
     while (!choices.empty() && !choices.back()) choices.pop_back();
     if (choices.empty()) return all;

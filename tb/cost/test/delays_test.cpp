@@ -2,6 +2,7 @@
 // Delays of blocks: measured from a small netlist by hand, written, read again, and refused where they do not belong.
 #include "tb/cost/delays.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 
@@ -158,4 +159,17 @@ TEST_CASE("delays are read as they were written, and belong to one Verilog", "[d
                     Contains("bound_ps is no time from 1 to"));
   CHECK_THROWS_WITH(read(spoilt("\"script\"", "\"scrapt\"")), Contains("a key is missing"));
   CHECK_THROWS_WITH(read(folder.write("half.json", text.substr(0, text.size() / 2))), Contains("is damaged"));
+}
+
+TEST_CASE("devices with start and ready are told to have no delays", "[delays]") {
+  int refused = 0;
+  for (const device* each : devices()) {
+    const selection asked = choose(each->name(), "q8");
+    const std::vector<port> ports = each->ports(asked);
+    if (std::ranges::find(ports, port::role::start, &port::is) == ports.end()) continue;
+    CHECK_THROWS_WITH(cost::read_delays("", asked, "sha256:1"),
+                      Contains(each->name() + " takes its inputs by start and ready"));
+    ++refused;
+  }
+  CHECK(refused > 0);
 }
