@@ -3,7 +3,7 @@
 // SystemC model but the names of the ports, and those of registers that are no output.
 //   A, B, D, P, Q, S, Y   bits of the port with this letter
 //   AS, BS, ...           1 if the port carries two's complement
-//   AU, BU, U             places by which an operand moves up, so that the binary points meet
+//   AU, BU, CU, U         places by which an operand, or the carry, moves up, so that the binary points meet
 //   DROP                  fraction bits that are rounded off: to nearest, ties up
 // A result keeps its lowest bits. That no legal input needs more is asserted elsewhere, by no_overflow() of the formats.
 `default_nettype none
@@ -86,7 +86,7 @@ module multiplier #(
 endmodule
 
 module adder #(
-    parameter A = 1, AS = 0, AU = 0, B = 1, BS = 0, BU = 0, S = 1
+    parameter A = 1, AS = 0, AU = 0, B = 1, BS = 0, BU = 0, CU = 0, S = 1
 ) (
     input wire [A-1:0] a_i,
     input wire [B-1:0] b_i,
@@ -95,7 +95,8 @@ module adder #(
 );
   wire [A+S:0] a = {{S + 1{AS != 0 & a_i[A-1]}}, a_i};
   wire [B+S:0] b = {{S + 1{BS != 0 & b_i[B-1]}}, b_i};
-  assign s_o = (a << AU) + (b << BU) + carry_i;
+  wire [S-1:0] carry = carry_i;
+  assign s_o = (a << AU) + (b << BU) + (carry << CU);
 endmodule
 
 module inverters #(
@@ -108,10 +109,21 @@ module inverters #(
   assign y_o = ~(wide << U);
 endmodule
 
-// Rounds, and limits to 0..MOST.
+// Rounds.
+module round_off #(
+    parameter A = 1, DROP = 0, Y = 1
+) (
+    input wire [A-1:0] a_i,
+    output wire [Y-1:0] y_o
+);
+  wire [A+Y:0] half = DROP == 0 ? 0 : 1 << (DROP - 1);
+  assign y_o = (a_i + half) >> DROP;
+endmodule
+
+// Rounds, and limits to LEAST..MOST.
 module rounding #(
     parameter A = 1, AS = 0, DROP = 0, Y = 1,
-    parameter [Y-1:0] MOST = {Y{1'b1}}
+    parameter signed [Y:0] LEAST = 0, MOST = {1'b0, {Y{1'b1}}}
 ) (
     input wire [A-1:0] a_i,
     output wire [Y-1:0] y_o
@@ -119,17 +131,17 @@ module rounding #(
   wire signed [A+Y+1:0] wide = {{Y + 2{AS != 0 & a_i[A-1]}}, a_i};
   wire signed [A+Y+1:0] half = DROP == 0 ? 0 : 1 << (DROP - 1);
   wire signed [A+Y+1:0] rounded = (wide + half) >>> DROP;
-  assign y_o = rounded < 0 ? 0 : rounded > $signed({1'b0, MOST}) ? MOST : rounded;
+  assign y_o = rounded < LEAST ? LEAST : rounded > MOST ? MOST : rounded;
 endmodule
 
-// y_o = 1 where a_i < 0.
+// negative_o = 1 where a_i < 0.
 module sign #(
     parameter A = 1
 ) (
     input wire [A-1:0] a_i,
-    output wire y_o
+    output wire negative_o
 );
-  assign y_o = a_i[A-1];
+  assign negative_o = $signed(a_i) < 0;
 endmodule
 
 // y_o = a_i, and 0 where off_i is 1.
