@@ -165,6 +165,89 @@ module one_minus #(
   assign y_o = (1 << U) - a_i;
 endmodule
 
+// q_o = a_i / b_i for a_i <= b_i, rounded down, Q - 1 fraction bits: restoring division, which subtracts the divisor where
+// the rest is not smaller, and doubles the rest for the next digit. The rest is doubled in as many bits as the divisor has
+// and one more; it needs no others, for it is less than twice the divisor. See module division_step.
+module divider #(
+    parameter A = 1, AU = 0, B = 1, BU = 0, Q = 1
+) (
+    input wire [A-1:0] a_i,
+    input wire [B-1:0] b_i,
+    output reg [Q-1:0] q_o
+);
+  localparam W = B + BU;
+  wire [W-1:0] b = {{BU + 1{1'b0}}, b_i} << BU;
+  reg [W:0] rest;
+  reg is_smaller;
+  integer i;
+  always @* begin
+    rest = a_i << AU;
+    for (i = Q - 1; i >= 0; i = i - 1) begin
+      is_smaller = rest < b;
+      q_o[i] = ~is_smaller;
+      rest = (is_smaller ? rest : rest - b) << 1;
+    end
+  end
+endmodule
+
+// a_i = m_o 2^-(zeros_o + 1) with m_o in [1, 2], for 0 < a_i <= 1: F fraction bits in a_i, F - 1 in m_o. For 0, m_o is 1 and
+// zeros_o is all ones.
+module normaliser #(
+    parameter F = 1, Z = 1
+) (
+    input wire [F:0] a_i,
+    output reg [F:0] m_o,
+    output reg [Z-1:0] zeros_o,
+    output wire zero_o
+);
+  assign zero_o = a_i == 0;
+  integer i;
+  always @* begin
+    m_o = a_i;
+    zeros_o = 0;
+    for (i = 0; i < F - 1; i = i + 1)
+      if (m_o < 1 << (F - 1)) begin
+        m_o = m_o << 1;
+        zeros_o = zeros_o + 1;
+      end
+    if (zero_o) begin
+      m_o = 1 << (F - 1);
+      zeros_o = ~0;
+    end
+  end
+endmodule
+
+module shifter #(
+    parameter A = 1, PLACES = 1
+) (
+    input wire [A-1:0] a_i,
+    input wire [PLACES-1:0] places_i,
+    output wire [A-1:0] y_o
+);
+  assign y_o = a_i >> places_i;
+endmodule
+
+// Y bits of a_i, from bit LOW on.
+module field #(
+    parameter A = 1, LOW = 0, Y = 1
+) (
+    input wire [A-1:0] a_i,
+    output wire [Y-1:0] y_o
+);
+  assign y_o = a_i >> LOW;
+endmodule
+
+// y_o = 1 where b_i, or any bit of a_i, is 1.
+module any #(
+    parameter A = 1
+) (
+    input wire [A-1:0] a_i,
+    input wire b_i,
+    output wire y_o
+);
+  assign y_o = a_i != 0 | b_i;
+endmodule
+
 // composition.sh cuts a memory out on both sides: its address is compared, its word is any. The words themselves are what
 // tests of the device's contents look at. What stands here is no formula: an empty module would have no parameters.
 module memory #(
