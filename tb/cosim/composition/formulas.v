@@ -45,6 +45,36 @@ module register_trailing #(
     end
 endmodule
 
+// q_o is d_i, LENGTH clock edges with go_i later; 1 to 8.
+module pipe #(
+    parameter D = 1, LENGTH = 1
+) (
+    input wire clk, rst_n,
+    input wire go_i,
+    input wire [D-1:0] d_i,
+    output reg [D-1:0] q_o
+);
+  reg [D-1:0] held_0, held_1, held_2, held_3, held_4, held_5, held_6;
+  wire [8*D-1:0] moved = {held_6, held_5, held_4, held_3, held_2, held_1, held_0, d_i};
+  always @(posedge clk)
+    if (!rst_n) {held_6, held_5, held_4, held_3, held_2, held_1, held_0, q_o} <= 0;
+    else if (go_i) begin
+      {held_6, held_5, held_4, held_3, held_2, held_1, held_0} <= moved;
+      q_o <= moved[(LENGTH-1)*D +: D];
+    end
+endmodule
+
+// A pipeline goes on unless a result waits at its end.
+module pipe_control (
+    input wire start_i, stall_i, valid_i,
+    output wire go_o, take_o, ready_o
+);
+  wire waits = valid_i & stall_i;
+  assign go_o = ~waits;
+  assign ready_o = ~waits;
+  assign take_o = start_i & ~waits;
+endmodule
+
 // Arithmetic.
 
 module wired #(
