@@ -41,7 +41,7 @@ done
 
 # cut NAME: one module NAME whose cuts are its ports. Of the nets, outputs of blocks and registers alone keep their names.
 cut() {
-  echo "proc; opt -full -nodffe -nosdff; wreduce; opt_clean; flatten; opt_clean
+  echo "proc; opt -full -nodffe -nosdff; wreduce; simplemap t:\$and; opt_expr; opt_clean; flatten; opt_clean
     rename -hide w:* w:*.*_o %d t:\$dff %co1:+[Q] %d i:* %d o:* %d
     opt_clean
     expose -evert -evert-dff t:\$dff ${stands_for/ / t:}${memories// / t:}

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// What each kind of block computes, written by hand as a designer would; see composition.sh. Nothing here is shared with the
-// SystemC model but the names of the ports, and those of registers that are no output.
+// What each kind of block computes, written by hand as a designer would; see composition.sh. Nothing here is shared
+// with the SystemC model but the names of the ports, and those of registers that are no output.
 //   A, B, D, P, Q, S, Y   bits of the port with this letter
 //   AS, BS, ...           1 if the port carries two's complement
 //   AU, BU, CU, U         places by which an operand, or the carry, moves up, so that the binary points meet
 //   DROP                  fraction bits that are rounded off: to nearest, ties up
-// A result keeps its lowest bits. That no legal input needs more is asserted elsewhere, by no_overflow() of the formats.
+// A result keeps its lowest bits. That no legal input needs more is asserted elsewhere, by no_overflow() of the
+// formats.
 `default_nettype none
 /* verilator lint_off WIDTH */  // written as formulas are: Verilog's own extension of operands is meant
 /* verilator lint_off DECLFILENAME */
@@ -196,8 +197,9 @@ module one_minus #(
 endmodule
 
 // q_o = a_i / b_i for a_i <= b_i, rounded down, Q - 1 fraction bits: restoring division, which subtracts the divisor where
-// the rest is not smaller, and doubles the rest for the next digit. The rest is doubled in as many bits as the divisor has
-// and one more; it needs no others, for it is less than twice the divisor. See module division_step.
+// the rest is not smaller, and doubles the rest for the next digit. Each rest is less than twice the divisor then, so that
+// it needs one bit more. A comparison with `/` takes too long in wide formats. That these steps divide is what
+// blocks.division and the equality with a `/` in reference.v, cosim.<device>.formal.q8.brdf, show.
 module divider #(
     parameter A = 1, AU = 0, B = 1, BU = 0, Q = 1
 ) (
@@ -220,8 +222,8 @@ module divider #(
   end
 endmodule
 
-// a_i = m_o 2^-(zeros_o + 1) with m_o in [1, 2], for 0 < a_i <= 1: F fraction bits in a_i, F - 1 in m_o. For 0, m_o is 1 and
-// zeros_o is all ones.
+// a_i = m_o 2^-(zeros_o + 1) with m_o in [1, 2], for 0 < a_i <= 1: F fraction bits in a_i, F - 1 in m_o. For 0, m_o is
+// 1 and zeros_o is all ones.
 module normaliser #(
     parameter F = 1, Z = 1
 ) (
@@ -278,8 +280,9 @@ module any #(
   assign y_o = a_i != 0 | b_i;
 endmodule
 
-// composition.sh cuts a memory out on both sides: its address is compared, its word is any. The words themselves are what
-// tests of the device's contents look at. What stands here is no formula: an empty module would have no parameters.
+// composition.sh cuts a memory out on both sides: its address is compared, its word is any. The words themselves are
+// what tests of the device's contents look at. What stands here is no formula: an empty module would have no
+// parameters.
 module memory #(
     parameter A = 1, Y = 1
 ) (

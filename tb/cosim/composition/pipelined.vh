@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Begins the composed.v of a pipelined device that shades a point: its ports, registers 1..5, control, and what the colours
-// and their multipliers have. STAGES is defined before: clock edges from the one that takes a point to the one that shows its
-// result. n and c are in registers 1 and 2; the device's own text makes brdf, of F fraction bits, for the last stage.
+// Begins the composed.v of a pipelined device that shades a point: its ports, registers 1..5, control, and what the
+// colours and their multipliers have. STAGES is defined before: clock edges from the one that takes a point to the one
+// that shows its result. n and c are in registers 1 and 2; the device's own text makes brdf, of F fraction bits, for
+// the last stage.
 module composed #(
     parameter F = 8
 ) (

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// cos^n by its logarithm, block for block: c = 2^-(z + 1) (1 + f), x = -n log2 c, brdf = 2^-x; see tb/cosim/composition.
+// cos^n by its logarithm, block for block: c = 2^-(z + 1) (1 + f), x = -n log2 c, brdf = 2^-x; see
+// tb/cosim/composition.
 `include "specular.vh"
 
-  // The segments of f are 2^-I long, those of the fraction of x 2^-J. Fraction bits of the memories' words, of what is cut
-  // from the lines, of the logarithm, and of what is kept of x; bits of the count of zeros and of a shift.
+  // The segments of f are 2^-I long, those of the fraction of x 2^-J. Fraction bits of the memories' words, of what is
+  // cut from the lines, of the logarithm, and of what is kept of x; bits of the count of zeros and of a shift.
   localparam I = F / 2 - 2;
   localparam J = F / 2 - 1;
   localparam W = F + 4;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// [P] fig. 1 with registers at the cuts 1, 2, 3 and 5, block for block: brdf = a (c^2 - c) + c, a = S n - 1/2, limited to
-// [0, 1]. x_1 is x behind cut 1. See tb/cosim/composition.
+// [P] fig. 1 with registers at the cuts 1, 2, 3 and 5, block for block: brdf = a (c^2 - c) + c, a = S n - 1/2, limited
+// to [0, 1]. x_1 is x behind cut 1. See tb/cosim/composition.
 `define STAGES 5
 `include "pipelined.vh"
 
