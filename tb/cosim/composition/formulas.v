@@ -196,10 +196,10 @@ module one_minus #(
   assign y_o = (1 << U) - a_i;
 endmodule
 
-// q_o = a_i / b_i for a_i <= b_i, rounded down, Q - 1 fraction bits: restoring division, which subtracts the divisor where
-// the rest is not smaller, and doubles the rest for the next digit. Each rest is less than twice the divisor then, so that
-// it needs one bit more. A comparison with `/` takes too long in wide formats. That these steps divide is what
-// blocks.division and the equality with a `/` in reference.v, cosim.<device>.formal.q8.brdf, show.
+// q_o = a_i / b_i for a_i <= b_i, rounded down, Q - 1 fraction bits: restoring division, which subtracts the divisor
+// where the rest is not smaller, and doubles the rest for the next digit. Each rest is less than twice the divisor
+// then, so that it needs one bit more. A comparison with `/` takes too long in wide formats. That these steps divide is
+// what blocks.division and the equality with a `/` in reference.v, cosim.<device>.formal.q8.brdf, show.
 module divider #(
     parameter A = 1, AU = 0, B = 1, BU = 0, Q = 1
 ) (

@@ -7,5 +7,5 @@ set(mutated q8)
 set(changed_reference "s/(quotient + 1) >> 1/quotient >> 1/")  # the BRDF of reference.v rounded down
 # What the proof of composed.v has to notice.
 set(composition_faults changed_digit "s/shifted7 < /shifted7 <= /"
-                       crossed_wire "s/sub_square (.a_i(square)/sub_square (.a_i(rest)/"
+                       crossed_wire "s/.a_i(half_n), .b_i(rest)/.a_i(half_n), .b_i(square)/"
                        changed_edge "s/we_q <= we_i/we_q <= !we_i/")
