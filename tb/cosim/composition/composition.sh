@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # composition.sh VERILOG_FOLDER COMPOSED FORMAT [FAULT]: proves with yosys that an exported device is what COMPOSED, its
-# composed.v, says: blocks that have a formula here, wired as the figure is. Both are cut at every register, at every memory
-# and at the output of every block. Between the cuts, each function of one has to be that of the other, for all inputs. A
-# multiplier on both sides has the same operands then, and is not compared bit by bit. A register or a memory that one side
-# lacks is a failure.
+# composed.v, says: blocks that have a formula here, wired as the figure is. Both are cut at every register, at every
+# memory and at the output of every block. Between the cuts, each function of one has to be that of the other, for all
+# inputs. What both have alike, such as a multiplier of the same operands, is merged first and not compared bit by bit.
+# A register or a memory that one side lacks is a failure.
 # FAULT is a sed command that spoils the device's Verilog, to see that the proof fails then.
 # Exit 0 if it is proved.
 set -euo pipefail
@@ -41,18 +41,20 @@ done
 
 # cut NAME: one module NAME whose cuts are its ports. Of the nets, outputs of blocks and registers alone keep their names.
 cut() {
-  echo "proc; opt -full -nodffe -nosdff; wreduce; opt_clean; flatten; opt_clean
+  echo "proc; opt -full -nodffe -nosdff; wreduce; simplemap t:\$and; opt_expr; opt_clean; flatten; opt_clean
     rename -hide w:* w:*.*_o %d t:\$dff %co1:+[Q] %d i:* %d o:* %d
     opt_clean
     expose -evert -evert-dff t:\$dff ${stands_for/ / t:}${memories// / t:}
     rename -top $1; opt_clean; design -stash $1"
 }
+# cut.vh keeps each pair of nets compared, also where all its readers read another name of it. A proof that stops at
+# what both sides share comes first; what needs more than that is proved from the inputs on.
 if ! yosys -q -l log -p "
   read_verilog -Icomposed composed/*.v; chparam -set F ${3#q} composed; hierarchy -check -top composed; ${stands_for:+blackbox$stands_for}; $(cut composed)
   read_verilog device/*.v; hierarchy -check -top $top; ${memories:+blackbox$memories}; $(cut device)
   design -copy-from composed composed; design -copy-from device device
-  equiv_make composed device both; hierarchy -top both; opt_clean
-  equiv_struct; equiv_simple; equiv_status -assert" >errors 2>&1; then
+  equiv_make composed device both; hierarchy -top both; techmap -max_iter 1 -map composed/cut.vh; opt_clean
+  simplemap; opt_expr; opt_merge; opt_expr; opt_merge; opt_clean; equiv_simple -short; equiv_simple; equiv_status -assert" >errors 2>&1; then
   sed -n 's/^  Unproven .*[0-9]: \([^ ]*\).*/differs: \1/p' log | sort -u
   cat errors
   echo 'the proof did fail'

@@ -8,3 +8,7 @@ set(beside q8)
 set(covered q8)
 set(mutated "")
 set(simulated 100000)        # rows of each variant that are tried in SystemC
+# What the proof of composed.v has to notice.
+set(composition_faults changed_rounding "s/+ 34'd32768/+ 34'd16384/"
+                       crossed_wire "s/.b_i(cos_3), .carry_i/.b_i(cos_1), .carry_i/"
+                       lost_stage "s/q_o <= held_2/q_o <= held_1/")
