@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// As formulas.v, of the blocks of devices that take several clock cycles; see composition.sh. Registers of a block are called
-// as those of the export, so that they are compared.
+// As formulas.v, of the blocks of devices that take several clock cycles; see composition.sh. Registers of a block are
+// called as those of the export, so that they are compared.
 //   D, DU   bits of d_i, places by which it moves up
 //   DS      1 if d_i carries two's complement
 `default_nettype none
@@ -217,8 +217,8 @@ module start_register #(
     else if (step_i) q_o <= sum_i;
 endmodule
 
-// Operations of a digit a cycle. What stands here is the division, and the root, as done by hand. That digits found so are
-// the quotient, and the root, is not proved here: tests of the blocks compare them with integers.
+// Operations of a digit a cycle. What stands here is the division, and the root, as done by hand. That digits found so
+// are the quotient, and the root, is not proved here: tests of the blocks compare them with integers.
 
 // The first digit comes with the load. The divisor moves up by BU.
 module divide_steps #(

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// angle = sqrt(v) r(v), v = 1 - cos, F fraction bits, F even; see tb/cosim/composition. The root has F + 5 fraction bits, the
-// angle F + 2.
+// angle = sqrt(v) r(v), v = 1 - cos, F fraction bits, F even; see tb/cosim/composition. The root has F + 5 fraction
+// bits, the angle F + 2.
 //
-// Proved is the recurrence of the root, digit by digit. That it gives the root is not: blocks.scan compares it with integers
-// for all radicands of a few formats. The table r(v) is cut out with its straight lines: unit.arccos compares its words, and
-// the angle of every cosine of q8 to q20.
+// Proved is the recurrence of the root, digit by digit. That it gives the root is not: blocks.scan compares it with
+// floor(sqrt) for all radicands of a narrow format. The table r(v) is cut out with its straight lines: unit.arccos
+// compares its words, and the angle of every cosine of q8 to q20, in the bit-accurate model; cosim.arccos.all compares
+// the Verilog with that.
 `default_nettype none
 
 module composed #(

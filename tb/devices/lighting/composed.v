@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The colour of a pixel, light by light: ambient, then + diffuse N.L + specular, limited to 0..255 after each light; see
-// tb/cosim/composition. F fraction bits of N.L and of the specular terms, 16 of the sum. Without an energy factor.
+// The colour of a pixel, light by light: ambient, then + diffuse N.L + specular, limited to 0..255 after each light;
+// see tb/cosim/composition. F fraction bits of N.L and of the specular terms, 16 of the sum. Without an energy factor.
 `default_nettype none
 
 module channel #(

@@ -6,3 +6,7 @@ set(simulated 100000)  # rows that are tried in SystemC
 set(covered "")
 set(mutated "")
 set(beside "")  # coefficients and terms have too many codes
+# What the proof of composed.v has to notice.
+set(composition_faults changed_limit "s/24'd16711680/24'd16711679/"
+                       crossed_channel "s/.ambient_i(ag_i)/.ambient_i(ar_i)/"
+                       changed_valid "s/.go_i(go), .d_i(start_i)/.go_i(take), .d_i(start_i)/")

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// increment = difference / length with F fraction bits, cut towards 0; see tb/cosim/composition. 2^-8 |difference|, which is
-// less than any length, is divided, to F + 8 fraction bits.
+// increment = difference / length with F fraction bits, cut towards 0; see tb/cosim/composition. 2^-8 |difference|,
+// which is less than any length, is divided, to F + 8 fraction bits.
 //
-// Proved is the recurrence of the division, digit by digit. That it gives the quotient is not: unit.restoring-divider and
-// blocks.division compare it with division of integers.
+// Proved is the recurrence of the division, digit by digit. That it gives the quotient is not: unit.restoring-divider
+// and blocks.division compare it with division of integers.
 `default_nettype none
 
 module composed #(
