@@ -121,31 +121,7 @@ module down_counter #(
     else if (count_i & left > 0) left <= left - 1;
 endmodule
 
-// The pipeline goes on unless a result is kept at its end; take_o where it takes an input.
-module pipe_control (
-    input wire start_i, stall_i, valid_i,
-    output wire go_o, take_o, ready_o
-);
-  wire waits = valid_i & stall_i;
-  assign go_o = ~waits;
-  assign ready_o = ~waits;
-  assign take_o = start_i & ready_o;
-endmodule
-
 // Registers.
-
-module pipe_register #(
-    parameter D = 1
-) (
-    input wire clk, rst_n,
-    input wire go_i,
-    input wire [D-1:0] d_i,
-    output reg [D-1:0] q_o
-);
-  always @(posedge clk)
-    if (!rst_n) q_o <= 0;
-    else if (go_i) q_o <= d_i;
-endmodule
 
 // d_i / 2, then half of it with each step, rounded down; both of two's complement.
 module shift_register #(
@@ -317,16 +293,6 @@ module multiplexer #(
   assign y_o = select_b_i ? b_i : a_i;
 endmodule
 
-// Rounds a_i, of no sign; does not limit it.
-module to_nearest #(
-    parameter A = 1, DROP = 1, Y = 1
-) (
-    input wire [A-1:0] a_i,
-    output wire [Y-1:0] y_o
-);
-  assign y_o = (a_i + (1 << (DROP - 1))) >> DROP;
-endmodule
-
 // The same number with TO fraction bits in the place of FROM: rounded where these are fewer.
 module rescale #(
     parameter A = 1, FROM = 0, TO = 0, Y = 1
@@ -336,16 +302,6 @@ module rescale #(
 );
   wire [A+Y-1:0] wide = a_i;
   assign y_o = TO >= FROM ? wide << (TO - FROM) : (wide + (1 << (FROM - TO - 1))) >> (FROM - TO);
-endmodule
-
-// negative_o = 1 where a_i < 0.
-module sign_bit #(
-    parameter A = 1
-) (
-    input wire [A-1:0] a_i,
-    output wire negative_o
-);
-  assign negative_o = $signed(a_i) < 0;
 endmodule
 
 // n_i below FIRST, 0 from there on.

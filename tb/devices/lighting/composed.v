@@ -28,7 +28,7 @@ module channel #(
   adder #(.A(25), .B(24), .S(26)) add_specular (.a_i(lit), .b_i(specular_term), .carry_i(ground_i), .s_o(sum));
   rounding #(.A(26), .Y(24), .MOST(255 << 16)) saturate (.a_i(sum), .y_o(level));
   register #(.D(24)) accumulator (.clk(clk), .rst_n(rst_n), .d_i(level), .we_i(take_i), .q_o(sum_o));
-  to_nearest #(.A(24), .DROP(16), .Y(8)) round (.a_i(sum_o), .y_o(channel_o));
+  round_off #(.A(24), .DROP(16), .Y(8)) round (.a_i(sum_o), .y_o(channel_o));
 
 endmodule
 
@@ -51,7 +51,7 @@ module composed #(
 
   pipe_control control (.start_i(start_i), .stall_i(stall_i), .valid_i(valid_o),
       .go_o(go), .take_o(take), .ready_o(ready_o));
-  pipe_register #(.D(1)) pipe_valid (.clk(clk), .rst_n(rst_n), .go_i(go), .d_i(start_i), .q_o(valid_o));
+  pipe #(.D(1)) pipe_valid (.clk(clk), .rst_n(rst_n), .go_i(go), .d_i(start_i), .q_o(valid_o));
   wired #(.VALUE(0)) ground (.y_o(low));
   channel #(.F(F)) red (.clk(clk), .rst_n(rst_n), .take_i(take), .first_i(first_i), .ground_i(low), .nl_i(nl_i),
       .ambient_i(ar_i), .diffuse_i(dr_i), .specular_i(sr_i), .sum_o(r_sum_o), .channel_o(r_o));

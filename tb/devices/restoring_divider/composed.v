@@ -24,8 +24,8 @@ module composed #(
 
   sequencer #(.STEPS(F + 8)) control (.clk(clk), .rst_n(rst_n), .start_i(start_i),
       .load_o(load), .step_o(step), .ready_o(ready_o), .done_o(valid_o));
-  sign_bit #(.A(9)) sign_of (.a_i(difference_i), .negative_o(is_negative));
-  pipe_register #(.D(1)) rg_sign (.clk(clk), .rst_n(rst_n), .go_i(load), .d_i(is_negative), .q_o(was_negative));
+  sign #(.A(9)) sign_of (.a_i(difference_i), .negative_o(is_negative));
+  pipe #(.D(1)) rg_sign (.clk(clk), .rst_n(rst_n), .go_i(load), .d_i(is_negative), .q_o(was_negative));
   magnitude #(.A(9)) mag_difference (.a_i(difference_i), .y_o(size));
   wires #(.A(8)) fraction_of (.a_i(size), .y_o(dividend));
   divide_steps #(.A(8), .B(10), .BU(8), .Q(F + 9)) div (.clk(clk), .rst_n(rst_n), .load_i(load), .step_i(step),
