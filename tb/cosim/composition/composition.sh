@@ -40,8 +40,10 @@ for kind in rom filled_rom parted_rom line_table; do
 done
 
 # cut NAME: one module NAME whose cuts are its ports. Of the nets, outputs of blocks and registers alone keep their names.
+# wreduce leaves out registers: it can leave the name of one to some of its bits.
 cut() {
-  echo "proc; opt -full -nodffe -nosdff; wreduce; simplemap t:\$and; opt_expr; opt_clean; flatten; opt_clean
+  echo "proc; opt -full -nodffe -nosdff; wreduce * t:\$dff %co1:+[Q] w:* %i %d
+    simplemap t:\$and; opt_expr; opt_clean; flatten; opt_clean
     rename -hide w:* w:*.*_o %d t:\$dff %co1:+[Q] %d i:* %d o:* %d
     opt_clean
     expose -evert -evert-dff t:\$dff ${stands_for/ / t:}${memories// / t:}

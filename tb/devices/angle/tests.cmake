@@ -11,3 +11,7 @@ set(stated q8 q12 q16)  # q24 was not waited for
 set(state_faults wrong_range "s/assert (now <= 2)/assert (now < 2)/"
                  changed_hold "s/else if (we_i)/else/"
                  changed_end "s/!carry_i/carry_i/")
+# What the proof of composed.v has to notice.
+set(composition_faults changed_rounding "s/35'd262144/35'd262143/"
+                       crossed_address "s/rom2 (.a_i(n)/rom2 (.a_i(n_i)/"
+                       changed_select "s/.select_b_i(first)/.select_b_i(load)/")

@@ -12,3 +12,7 @@ set(state_faults wrong_range "s/left <= STEPS/left < STEPS/"
                  changed_hold "s/else if (flag)/else/"
                  changed_valid "s/done_o <= left == 7'd1/done_o <= left == 7'd2/"
                  changed_root "s/ - sum2.14:0./ - 15'd0/")
+# What the proof of composed.v has to notice.
+set(composition_faults changed_subtrahend "s/ - sum2.14:0./ - 15'd0/"
+                       crossed_wire "s/.d_i(versine_in), .we_i/.d_i(cos_i), .we_i/"
+                       changed_enable "s/.we_i(load)/.we_i(step)/")
