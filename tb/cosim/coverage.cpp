@@ -20,7 +20,8 @@ int main(int argc, char** argv) {
       [&](CLI::App& program) {
         arguments.add_to(program);
         program.add_option("FILE", path, "counts, as Verilator writes them")->required();
-        program.add_option("--rows", rows, "further rows of the regression, raw codes in CSV")->check(CLI::ExistingFile);
+        program.add_option("--rows", rows, "further rows of the regression, raw codes in CSV")
+            ->check(CLI::ExistingFile);
       },
       [&] {
         constexpr std::uint64_t kFew = 5'000'000;

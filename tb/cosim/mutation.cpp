@@ -301,10 +301,10 @@ std::map<std::string, std::string> read_reasons(const std::string& path) {
 }
 
 std::unique_ptr<regression> make_regression(const selection& asked, const std::string& folder,
-                                            const std::string& rows,
-                                            const arguments_for_equivalence& with) {
+                                            const std::string& rows, const arguments_for_equivalence& with) {
   if (protocol_of(asked.of().ports(asked)) == protocol::strobes) {
-    if (!rows.empty()) throw usage_error("--rows is for a device with start and ready, " + asked.of().name() + " has strobes");
+    if (!rows.empty())
+      throw usage_error("--rows is for a device with start and ready, " + asked.of().name() + " has strobes");
     return std::make_unique<strobe_regression>(asked);
   }
   columns own_rows = rows.empty() ? columns() : read_rows(asked, rows);
@@ -386,7 +386,8 @@ int main(int argc, char** argv) {
       [&](CLI::App& program) {
         arguments.add_to(program);
         program.add_option("FOLDER", folder, "of list.ys and control.txt")->required();
-        program.add_option("--rows", rows, "further rows of the regression, raw codes in CSV")->check(CLI::ExistingFile);
+        program.add_option("--rows", rows, "further rows of the regression, raw codes in CSV")
+            ->check(CLI::ExistingFile);
         program.add_option("--prove", with.script, "mutants.sh, which proves that survivors are equivalent");
         program.add_option("--states", with.states, "states.v of the device, for the proofs")
             ->check(CLI::ExistingFile);

@@ -167,10 +167,11 @@ int main(int argc, char** argv) {
       [&](CLI::App& program) {
         arguments.add_to(program);
         program
-            .add_option("INPUTS", which,
-                        "all: every input; corners: those near ends and corners; beside: every code of the "
-                        "ports that "
-                        "are not enumerated; a number: so many random ones; a file: its rows, raw codes in CSV")
+            .add_option(
+                "INPUTS", which,
+                "all: every input; corners: those near ends and corners; beside: every code of the "
+                "ports that "
+                "are not enumerated; a number: so many random ones; a file: its rows, raw codes in CSV")
             ->capture_default_str();
       },
       [&] { return blysk::cosim::sweep(arguments.chosen(), which); });

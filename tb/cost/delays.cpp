@@ -146,6 +146,12 @@ device_delays parse_delays(const std::string& path, const std::string& text) {
 }
 
 device_delays read_delays(const std::string& file, const selection& asked, const std::string& digest) {
+  if (protocol_of(asked.of().ports(asked)) != protocol::strobes) {
+    throw std::invalid_argument(fmt::format(
+        "delays show how outputs settle before a strobe and device {} has none, expected a device "
+        "with strobes",
+        asked.of().name()));
+  }
   const std::string place = row_path("delays", asked);
   std::string path = file;
   std::string text;

@@ -156,8 +156,7 @@ class range_monitor::law {
       if (of.name != child->basename()) continue;
       if (const auto* port = dynamic_cast<const sc_core::sc_port_base*>(child))
         return {port->get_interface(), of.bits};
-      if (const auto* signal = dynamic_cast<const sc_core::sc_interface*>(child))
-        return {signal, of.bits};
+      if (const auto* signal = dynamic_cast<const sc_core::sc_interface*>(child)) return {signal, of.bits};
     }
     throw std::logic_error(path_ + " has no port or signal " + of.name);
   }
@@ -231,8 +230,9 @@ class range_monitor::law {
       case operation::select:
         return a != 0 ? b : values_[of.from[2]];
       case operation::lookup:
-        return a < static_cast<wide_int>(of.table->size()) ? wide_int{(*of.table)[static_cast<std::size_t>(a)]}
-                                                           : wide_int{0};
+        return a < static_cast<wide_int>(of.table->size())
+                   ? wide_int{(*of.table)[static_cast<std::size_t>(a)]}
+                   : wide_int{0};
       case operation::constant:
       case operation::parameter:
       case operation::signal:

@@ -127,8 +127,8 @@ double largest_miss(const listing_slips& slips) {
 /// The largest coefficient of the second degree, with the means of the vertices at the middles.
 double second_degree_of_means() {
   const auto& [i1, i2, i3, i12, i13, i23] = kIntensities;
-  const quadratic_surface<double> surface = surface_of_listing(
-      kTriangle, {i1, i2, i3, (i1 + i2) / 2, (i1 + i3) / 2, (i2 + i3) / 2}, {});
+  const quadratic_surface<double> surface =
+      surface_of_listing(kTriangle, {i1, i2, i3, (i1 + i2) / 2, (i1 + i3) / 2, (i2 + i3) / 2}, {});
   return std::max({std::abs(surface.p3), std::abs(surface.p4), std::abs(surface.p5)});
 }
 

@@ -201,10 +201,14 @@ std::string table_e19_e20() {
   const six_intensities<double> means{i1, i2, i3, (i1 + i2) / 2, (i1 + i3) / 2, (i2 + i3) / 2};
   const listing_slips red{.term = true, .division = true, .blue = false};
   const listing_slips blue{.term = true, .division = true, .blue = true};
-  return "\n## E19\n\nVertices (0, 0), (8, 4), (4, 8). Lines 322, 341 and 360 have 4 C12 - C23 Y2 in P4 where lines "
-         "323, 342 and 361 have 4 C12 Y3 - C23 Y2 in P5; lines 327, 346 and 365 divide by Y2 and multiply by it; line "
-         "358 has - 4 I23 where lines 316 and 339 have + 4 I23. P1 and P2 go with y and x as they are computed, so "
-         "nothing is exchanged there. Besides, the first vertex has to be the origin and the coordinates are those of "
+  return "\n## E19\n\nVertices (0, 0), (8, 4), (4, 8). Lines 322, 341 and 360 have 4 C12 - C23 Y2 in P4 "
+         "where lines "
+         "323, 342 and 361 have 4 C12 Y3 - C23 Y2 in P5; lines 327, 346 and 365 divide by Y2 and multiply by "
+         "it; line "
+         "358 has - 4 I23 where lines 316 and 339 have + 4 I23. P1 and P2 go with y and x as they are "
+         "computed, so "
+         "nothing is exchanged there. Besides, the first vertex has to be the origin and the coordinates are "
+         "those of "
          "the picture; lines 501 to 512 put 100 or 255 in place of the colours\n\n" +
          tabulate({"at", "x", "y", "intensity", "the polynomial", "4 C12 without Y3", "/Y2*Y2", "- 4 I23",
                    "red as printed", "blue as printed"},
@@ -224,7 +228,8 @@ std::string table_e19_e20() {
                                                     with(red),
                                                     with(blue)};
                   }) +
-         "\n## E20\n\nThe same triangle: the polynomial with the intensities of the middles, and with the means of the "
+         "\n## E20\n\nThe same triangle: the polynomial with the intensities of the middles, and with the "
+         "means of the "
          "vertices, as lines 309 to 311 have them, which is Gouraud's plane\n\n" +
          tabulate({"at", "intensity", "with the middles", "with the means"}, kNodes, [&](const node& each) {
            return std::vector<std::string>{each.name, number(kIntensities.*each.intensity),

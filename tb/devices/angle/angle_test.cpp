@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // UA 71489 against the function of [A] and against cos^n.
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "rtl_sysc/devices/angle/formats.h"
@@ -212,6 +213,23 @@ TEST_CASE("a line takes its pixels and two cycles, a count of 0 one pixel", "[an
   CHECK(out.size() == 1);
   CHECK(device->cycles() - before == 1 + 2 + 1);
   CHECK(out[kOut].get(0) == 255 << 8);
+}
+
+TEST_CASE("the words of ROM 2 are as survivors.txt and uncovered.txt say", "[angle]") {
+  using formats = angle_formats<q8>;
+  std::array<std::int64_t, 1001> words{};
+  fill_factors(words, 500000, 5, formats::factor_bits);
+  CHECK(words[0] == 0);
+  bool reaches_end = true;
+  for (std::size_t n = 1; n < words.size(); ++n) {
+    REQUIRE(words[n] < std::int64_t{16} << formats::factor_bits);
+    // From which limited angle on it does not matter where limit4 cuts.
+    for (const std::int64_t limited : {65527, 65531, 65535}) {
+      reaches_end =
+          reaches_end && formats::quant2::law(formats::mul2::law(limited, words[n])) == formats::place::max;
+    }
+  }
+  CHECK(reaches_end);
 }
 
 TEST_CASE("options that are no Q or k are refused in one line", "[angle]") {

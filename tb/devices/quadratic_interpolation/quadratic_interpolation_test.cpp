@@ -74,7 +74,8 @@ TEST_CASE("pixels are the polynomial, rounded and limited", "[quadratic-interpol
   }
 }
 
-TEST_CASE("a scan line of a triangle is the polynomial through its six intensities", "[quadratic-interpolation]") {
+TEST_CASE("a scan line of a triangle is the polynomial through its six intensities",
+          "[quadratic-interpolation]") {
   // Vertices (0, 0), (200, 60), (40, 180), a highlight near the middle of the first edge.
   const golden::triangle<double> of{200, 60, 40, 180};
   const golden::quadratic_surface<double> surface =
@@ -82,7 +83,9 @@ TEST_CASE("a scan line of a triangle is the polynomial through its six intensiti
   for (const char* format : {"q16", "q24"}) {
     const selection asked = choose("quadratic-interpolation", format);
     const int frac = asked.fraction();
-    const auto code = [&](double x) { return static_cast<std::int64_t>(std::floor(std::ldexp(x, frac) + 0.5)); };
+    const auto code = [&](double x) {
+      return static_cast<std::int64_t>(std::floor(std::ldexp(x, frac) + 0.5));
+    };
     for (const int y : {1, 30, 60, 90, 179}) {
       const int left = static_cast<int>(std::ceil(y * 40 / 180.0));
       const int right = static_cast<int>(std::floor(y <= 60 ? y * 200 / 60.0 : 200 - (y - 60) * 160 / 120.0));

@@ -48,12 +48,13 @@ quadratic_surface<Real> surface_through(const triangle<Real>& of, const six_inte
   const Real c13 = in.i1 + in.i3 - 2 * in.i13;
   const Real c23 = 4 * (in.i1 - in.i12 - in.i13 + in.i23);
   const Real square = area * area;
-  return {in.i1,
-          (c3 * of.x2 - c2 * of.x3) / area,
-          (c2 * of.y3 - c3 * of.y2) / area,
-          (2 * c12 * of.x3 * of.x3 - c23 * of.x2 * of.x3 + 2 * c13 * of.x2 * of.x2) / square,
-          (c23 * (of.x2 * of.y3 + of.x3 * of.y2) - 4 * c12 * of.x3 * of.y3 - 4 * c13 * of.x2 * of.y2) / square,
-          (2 * c12 * of.y3 * of.y3 - c23 * of.y2 * of.y3 + 2 * c13 * of.y2 * of.y2) / square};
+  return {
+      in.i1,
+      (c3 * of.x2 - c2 * of.x3) / area,
+      (c2 * of.y3 - c3 * of.y2) / area,
+      (2 * c12 * of.x3 * of.x3 - c23 * of.x2 * of.x3 + 2 * c13 * of.x2 * of.x2) / square,
+      (c23 * (of.x2 * of.y3 + of.x3 * of.y2) - 4 * c12 * of.x3 * of.y3 - 4 * c13 * of.x2 * of.y2) / square,
+      (2 * c12 * of.y3 * of.y3 - c23 * of.y2 * of.y3 + 2 * c13 * of.y2 * of.y2) / square};
 }
 
 /// What the listing prints otherwise (E19); each can be taken over alone.

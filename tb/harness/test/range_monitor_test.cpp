@@ -115,7 +115,8 @@ void wait_cycles(int cycles) {
 }  // namespace
 
 // One case: SystemC elaborates once.
-TEST_CASE("the monitor sees a sum before it is cut, and a block that its law does not describe", "[harness]") {
+TEST_CASE("the monitor sees a sum before it is cut, and a block that its law does not describe",
+          "[harness]") {
   netlist::elaborated wide(std::make_unique<adding<uq<5, 0>>>("wide"), harness::kClockPeriodNs);
   netlist::elaborated narrow(std::make_unique<adding<operand>>("narrow"), harness::kClockPeriodNs);
   netlist::elaborated wrong(std::make_unique<inverting>("wrong"), harness::kClockPeriodNs);

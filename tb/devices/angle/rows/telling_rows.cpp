@@ -122,7 +122,8 @@ int write_rows(const selection& asked, const std::string& path) {
   const memories of(asked);
   std::vector<memories::row> rows;
   add_slow_lines(of, rows);
-  rows.push_back({1, of.most(memories::kIntensity), of.most(memories::kStart), of.most(memories::kStep), kMostPixels});
+  rows.push_back(
+      {1, of.most(memories::kIntensity), of.most(memories::kStart), of.most(memories::kStep), kMostPixels});
   int untold = 0;
   for (std::int64_t n = 1; n <= kMostExponent; ++n) untold += add_pixels_of(of, n, rows);
 
