@@ -136,12 +136,13 @@ function(blysk_device_tests device)
     add_test(NAME ${prefix}.ends.${format} COMMAND lockstep ${device} ${format} ends)
     blysk_label_checked(${format} ${prefix}.ends.${format})
     blysk_label(stability ${prefix}.ends.${format})
-    if(protocol STREQUAL strobes)
-      add_test(NAME ${prefix}.four_state.${format}
-               COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/four_state.sh $<TARGET_FILE:replay_vectors> ${verilog_folder} ${device} ${format})
-      blysk_label_checked(${format} ${prefix}.four_state.${format})
-      blysk_label(stability ${prefix}.four_state.${format})
+    add_test(NAME ${prefix}.four_state.${format}
+             COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/four_state.sh $<TARGET_FILE:replay_vectors> ${verilog_folder} ${device} ${format})
+    if(protocol STREQUAL handshake)
+      set_tests_properties(${prefix}.four_state.${format} PROPERTIES ENVIRONMENT "BLYSK_REPLAYED=${replayed}")
     endif()
+    blysk_label_checked(${format} ${prefix}.four_state.${format})
+    blysk_label(stability ${prefix}.four_state.${format})
     # For the page of what is known of each format.
     set(known "${device} ${format}")
     if(format IN_LIST exhaustive)
