@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What no device takes: one line that says what was expected, status 2, and nothing written. For every device of the list.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -42,9 +43,7 @@ class victim {
   }
 
   static std::string text(const std::string& header, const std::vector<std::string>& fields) {
-    std::string row;
-    for (const std::string& each : fields) row += (row.empty() ? "" : ",") + each;
-    return header + "\n" + row + "\n";
+    return fmt::format("{}\n{}\n", header, fmt::join(fields, ","));
   }
 
   outcome run(const scratch& folder, const std::string& stimulus, const std::string& more) const {
@@ -102,6 +101,7 @@ TEST_CASE("every device refuses numbers outside the range of their column, and t
       const std::string& column = of.data()[i].column;
       for (const std::string& field :
            {number(legal.min - 1, legal), number(legal.max + 1, legal), std::string("x"), std::string()}) {
+        if (field.empty() && of.data().size() == 1) continue;  // an empty line is none
         of.refuses(folder, fmt::format("in.csv:2: {} is '{}', expected ", column, field), of.with(i, field));
       }
     }
