@@ -341,6 +341,10 @@ void output_file::stage(std::string_view ending) {
   errno = 0;
   const bool exists = stat(target_.c_str(), &there) == 0;
   if (!exists && errno != ENOENT) return;
+  if (exists && (there.st_mode & (S_IWUSR | S_IWGRP | S_IWOTH)) == 0) {
+    errno = EACCES;  // for root too, to whom access() allows all
+    return;
+  }
   if (exists && faccessat(AT_FDCWD, target_.c_str(), W_OK, AT_EACCESS) != 0) return;
   const fs::path target(target_);
   const mode_t mode = exists ? S_IRUSR | S_IWUSR : 0666;

@@ -4,7 +4,8 @@
 /// version of a local one), and what it calls has to be inlined to profit.
 #pragma once
 
-#if !defined(__x86_64__)
+// The loader chooses before the thread sanitizer is ready for what it put into the choosing function.
+#if !defined(__x86_64__) || defined(__SANITIZE_THREAD__)
 #define BLYSK_VECTOR_CLONES
 #elif defined(__clang__)
 #define BLYSK_VECTOR_CLONES __attribute__((target_clones("avx512dq", "avx2", "default")))

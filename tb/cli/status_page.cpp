@@ -67,14 +67,17 @@ std::string mutants_text(const std::string& tables, const selection& asked, cons
 }
 
 std::string proofs_text(const facts& known) {
-  const auto has = [&](const char* property) {
-    return std::ranges::find(known.proved, property) != known.proved.end();
-  };
-  return has("wiring")                 ? "registers only delay"
-         : has("brdf") || has("equal") ? "all of it"
-         : has("range")                ? "all but the BRDF"
-         : has("states")               ? "ports and registers over time"
-                                       : "-";
+  constexpr std::pair<const char*, const char*> kTexts[] = {{"composition", "blocks and wiring"},
+                                                            {"equal", "the formula"},
+                                                            {"brdf", "the formula"},
+                                                            {"range", "range and registers"},
+                                                            {"wiring", "registers only delay"},
+                                                            {"states", "ports and registers over time"}};
+  std::vector<std::string> texts;
+  for (const auto& [property, text] : kTexts) {
+    if (std::ranges::find(known.proved, property) != known.proved.end()) texts.emplace_back(text);
+  }
+  return texts.empty() ? "-" : fmt::format("{}", fmt::join(texts, "; "));
 }
 
 std::string line_of(const std::string& tables, const selection& asked, const facts& known,
@@ -105,11 +108,15 @@ constexpr const char* kHead =
     "for bit. The ports that are not enumerated run through their codes alongside. *100 million* are random "
     "inputs of a "
     "test with the label `long`; [long-runs.md](long-runs.md) says whether it ran.\n"
-    "* *Proved*: by SAT against a reference written by hand, see [verilog.md](verilog.md#proofs-yosys-sat). "
-    "Of a "
-    "pipeline: that its registers only delay, so that its results are those of the device without them. Of "
-    "another device with start and ready, without a reference: *ports and registers over time*, what its "
-    "states.v says of ready, valid, holding and the ranges of registers.\n"
+    "* *Proved*, for all inputs, see [verilog.md](verilog.md#proofs-yosys-sat). *Blocks and wiring*: each "
+    "block "
+    "computes its formula, and they are wired as the figure is; words of memories are left out. *The "
+    "formula*: "
+    "the results are those of a reference written by hand in one piece. *Range and registers*: the BRDF is "
+    "at "
+    "most 1, registers hold. *Registers only delay*: a pipeline computes what the device without its "
+    "registers "
+    "does. *Ports and registers over time*: ready, valid, holding and the ranges of registers.\n"
     "* *Mutants*: faults in the Verilog that no test notices are alive; equivalent ones change no output. "
     "See "
     "[mutation.md](mutation.md).\n"

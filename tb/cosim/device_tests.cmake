@@ -3,6 +3,8 @@
 # device's folder tb/devices/<identifier>/:
 #   variants       a line of options for each export that the tests try besides
 #   reference.v    module `reference` with parameter F, the same ports, written by hand
+#   composed.v     module `composed` with parameter F, the same ports: the blocks of the figure, each with a formula of
+#                  composition/; the exported device is proved to be that
 #   uncovered.txt  reasons for bits that the regression does not change
 #   states.v       module `states` with parameter F: what holds for the registers and the ports of a device with start and
 #                  ready; it is proved, and proofs that a mutant is equivalent build on it
@@ -12,6 +14,7 @@
 #                        pipelined: a device of tb/specular/pipelined.h
 #     unpiped            of a pipelined one: the device without registers between its blocks
 #     changed_reference  a sed command that spoils the inner result of reference.v, for family specular
+#     composition_faults NAME SED...: faults in the device's Verilog that the proof of composed.v has to notice
 #     protocol           strobes, handshake, or none: nothing is written to it
 #     replayed           rows that Icarus repeats, 3000
 #     beside             formats whose ports beside the enumerated ones run through all their codes
@@ -51,6 +54,7 @@ function(blysk_device_tests device)
   set(mutated q8 q12)
   set(rows "")
   set(state_faults "")
+  set(composition_faults "")
   set(stated ${blysk_checked_formats})
   include(${own}/tests.cmake OPTIONAL)
   set(reference ${own}/reference.v)
@@ -164,6 +168,9 @@ function(blysk_device_tests device)
     elseif(EXISTS ${own}/states.v AND format IN_LIST stated)
       string(APPEND known " proved states")
     endif()
+    if(EXISTS ${own}/composed.v AND format IN_LIST blysk_checked_formats)
+      string(APPEND known " proved composition")
+    endif()
     set_property(GLOBAL APPEND_STRING PROPERTY blysk_known_of_formats "${known}\n")
     if(format IN_LIST exhaustive)
       add_test(NAME ${prefix}.all.${format} COMMAND sweep_verilog ${device} ${format} all)
@@ -267,6 +274,9 @@ function(blysk_device_tests device)
     add_dependencies(update_mutation update_${name})
   endforeach()
 
+  if(EXISTS ${own}/composed.v)
+    blysk_composition_tests(${device})
+  endif()
   if(EXISTS ${own}/states.v)
     blysk_states_tests(${device})
   endif()
@@ -276,6 +286,23 @@ function(blysk_device_tests device)
     blysk_pipelined_tests(${device})
   endif()
   include(${own}/tables.cmake OPTIONAL)
+endfunction()
+
+# The blocks are proved to be what composed.v says, and the proof notices faults. Uses the variables of blysk_device_tests().
+function(blysk_composition_tests device)
+  set(prove ${CMAKE_CURRENT_SOURCE_DIR}/composition/composition.sh)
+  foreach(format IN LISTS blysk_checked_formats)
+    blysk_verilog_of(${device} ${format})
+    add_test(NAME cosim.${device}.formal.${format}.composition COMMAND ${prove} ${verilog_folder} ${own}/composed.v ${format})
+    blysk_label(full cosim.${device}.formal.${format}.composition)
+  endforeach()
+  blysk_verilog_of(${device} q8)
+  while(composition_faults)
+    list(POP_FRONT composition_faults name fault)
+    add_test(NAME cosim.${device}.formal.${name} COMMAND ${prove} ${verilog_folder} ${own}/composed.v q8 ${fault})
+    set_tests_properties(cosim.${device}.formal.${name} PROPERTIES PASS_REGULAR_EXPRESSION "proof did fail")
+    blysk_label(full cosim.${device}.formal.${name})
+  endwhile()
 endfunction()
 
 # What a device's states.v says is proved, and the proof notices faults. Uses the variables of blysk_device_tests().
@@ -314,8 +341,9 @@ function(blysk_specular_tests device)
       endforeach()
     endforeach()
     blysk_verilog_of(${device} q8)
+    # cosim.${device}.all.q8 tries the same inputs.
     add_test(NAME cosim.${device}.formal.q8.brdf COMMAND ${prove} ${verilog_folder} ${reference} q8 brdf)
-    blysk_label(full cosim.${device}.formal.q8.brdf)
+    blysk_label(long cosim.${device}.formal.q8.brdf)
     # The proof fails if the reference or the property is spoilt.
     set(faults wrong_range range "s/brdf <= ONE/brdf < ONE/"
                wrong_hold hold "s/n == n_before/n == n_i/"
@@ -330,7 +358,11 @@ function(blysk_specular_tests device)
       add_test(NAME cosim.${device}.formal.${name}
                COMMAND ${prove} ${verilog_folder} ${reference} q8 ${property} ${fault})
       set_tests_properties(cosim.${device}.formal.${name} PROPERTIES PASS_REGULAR_EXPRESSION "proof did fail")
-      blysk_label(full cosim.${device}.formal.${name})
+      if(property STREQUAL brdf)
+        blysk_label(long cosim.${device}.formal.${name})
+      else()
+        blysk_label(full cosim.${device}.formal.${name})
+      endif()
     endwhile()
   endif()
 

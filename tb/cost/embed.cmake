@@ -14,7 +14,8 @@ foreach(name IN LISTS FILES)
     string(APPEND strings " R\"=====(${part})=====\"")
     math(EXPR first "${first} + 16000")
   endwhile()
-  string(APPEND text "      {\"${name}\", ${strings}},\n")
+  # With sv no compiler has to count the characters.
+  string(APPEND text "      {\"${name}\", ${strings}sv},\n")
 endforeach()
 file(WRITE ${OUTPUT} "// Made by CMake; do not edit.
 #include \"tb/cost/measured.h\"
@@ -22,8 +23,9 @@ file(WRITE ${OUTPUT} "// Made by CMake; do not edit.
 namespace blysk::cost {
 
 std::span<const measured_file> ${FUNCTION}() {
+  using namespace std::string_view_literals;
   static constexpr measured_file kFiles[] = {
-      {\"\", \"\"},
+      {\"\", \"\"sv},
 ${text}  };
   return std::span(kFiles).subspan(1);
 }

@@ -151,6 +151,15 @@ TEST_CASE("permissions of the file decide, not those of its folder", "[cli][file
   CHECK(shell(folder, "chmod 755 fixed") == 0);
 }
 
+TEST_CASE("a file that nobody may write is refused, to root too", "[cli][files]") {
+  const scratch folder;
+  folder.write("in.csv", kRow);
+  REQUIRE(shell(folder, "echo old >only.csv && chmod 444 only.csv") == 0);
+  CHECK(shell(folder, "\"$BLYSK\" simulate --stimulus in.csv --results only.csv 2>error") == 2);
+  check_message(slurp(folder.path("error")), "only.csv: cannot be written (Permission denied)");
+  CHECK(slurp(folder.path("only.csv")) == "old\n");
+}
+
 TEST_CASE("a file that something is mounted on is written in place", "[cli][files]") {
   const scratch folder;
   if (shell(folder, "unshare -rm true 2>/dev/null") != 0) {

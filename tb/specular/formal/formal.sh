@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # formal.sh VERILOG_FOLDER REFERENCE FORMAT PROPERTY [FAULT]: proves a property of an exported device that has the registers
 # and colour multipliers of rtl_sysc/devices/specular.h, with yosys' SAT solver. REFERENCE is its reference.v.
-#   range      by induction: the BRDF is at most 1, and no output exceeds its colour
+#   range      by induction: the BRDF is at most 1; with `colours`, no output exceeds its colour
 #   hold       by induction: registers hold while no strobe writes them; outputs depend on nothing but registers
 #   registers  by induction: the registers and output 29 are those of the reference
 #   brdf       from registers 1 and 2 to the BRDF it is the reference, for every n <= 1000 and legal cosine
@@ -55,8 +55,9 @@ properties() { echo "read_verilog -formal ${*:2} $1.v; chparam -set F $fraction 
 # nets MODULE NET...: "MODULE/w:NET ..."
 nets() { printf "$1/w:%s " "${@:2}"; }
 
+# sequential PROPERTY [COMMANDS]: with further commands for the device.
 sequential() {
-  yosys -q -p "$device; expose $(nets device n cos_delta r_ks g_ks b_ks brdf)
+  yosys -q -p "$device; ${2:-}; expose $(nets device n cos_delta r_ks g_ks b_ks brdf)
     $reference; expose $(nets reference n cos_delta r_ks g_ks b_ks brdf strobe17)
     $(properties formal -D PROVE_"$1")
     proc; flatten; $lower; opt -full; techmap; opt -full
@@ -64,7 +65,11 @@ sequential() {
 }
 
 case $property in
-  range) sequential RANGE ;;
+  range)
+    # Where the last block limits the BRDF, it does so for any products.
+    # shellcheck disable=SC2016 # a kind of cell
+    sequential RANGE 'cutpoint device/t:$mul' >any_products 2>&1 || sequential RANGE
+    ;;
   hold)
     # The combinational cone of 25..27 reaches the five registers and no input.
     yosys -q -p "$device

