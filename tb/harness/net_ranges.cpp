@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // net_ranges DEVICE FORMAT [--reasons RANGES.txt] [--output|--check TABLE.md]: runs all inputs of a device in SystemC, and the
 // ends of all codes, and says of each net its format and the least and the greatest value that it had. RANGES.txt says of
-// nets, a line each, why values that are no codes of their format do no harm. Exit 1 if there are others, or --check finds
-// another table.
+// nets, a line each, why values that are no codes of their format do no harm. Exit 2 if there are others, 1 if --check
+// finds another table.
+
 #include <fmt/format.h>
 
 #include <algorithm>
