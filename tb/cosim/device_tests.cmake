@@ -21,6 +21,7 @@
 #     exhaustive         formats whose inputs are all tried
 #     stated             formats in which states.v is proved
 #     state_faults       NAME SED...: faults in the device's Verilog that the proof of states.v has to notice
+#     rows               PROGRAM of tables.cmake that writes further rows for the regression: PROGRAM DEVICE FORMAT FILE.csv
 #     covered, mutated   formats whose coverage is counted, whose mutants are tried: of the first 200 in a test
 #   tables.cmake   declares programs, targets and tests of tables that only this device has
 # Labels: quick takes seconds in all, full less than a minute of processor time each, long more; stability besides for hard
@@ -51,6 +52,7 @@ function(blysk_device_tests device)
   set(exhaustive q8 q10 q12 q14 q16)
   set(covered q8 q12 q16)
   set(mutated q8 q12)
+  set(rows "")
   set(state_faults "")
   set(composition_faults "")
   set(stated ${blysk_checked_formats})
@@ -138,12 +140,13 @@ function(blysk_device_tests device)
     add_test(NAME ${prefix}.ends.${format} COMMAND lockstep ${device} ${format} ends)
     blysk_label_checked(${format} ${prefix}.ends.${format})
     blysk_label(stability ${prefix}.ends.${format})
-    if(protocol STREQUAL strobes)
-      add_test(NAME ${prefix}.four_state.${format}
-               COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/four_state.sh $<TARGET_FILE:replay_vectors> ${verilog_folder} ${device} ${format})
-      blysk_label_checked(${format} ${prefix}.four_state.${format})
-      blysk_label(stability ${prefix}.four_state.${format})
+    add_test(NAME ${prefix}.four_state.${format}
+             COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/four_state.sh $<TARGET_FILE:replay_vectors> ${verilog_folder} ${device} ${format})
+    if(protocol STREQUAL handshake)
+      set_tests_properties(${prefix}.four_state.${format} PROPERTIES ENVIRONMENT "BLYSK_REPLAYED=${replayed}")
     endif()
+    blysk_label_checked(${format} ${prefix}.four_state.${format})
+    blysk_label(stability ${prefix}.four_state.${format})
     # For the page of what is known of each format.
     set(known "${device} ${format}")
     if(format IN_LIST exhaustive)
@@ -190,6 +193,19 @@ function(blysk_device_tests device)
   set_tests_properties(cosim.${device}.icarus.stuck PROPERTIES ENVIRONMENT "BLYSK_REPLAYED=${replayed}")
   blysk_label(quick cosim.${device}.icarus.stuck)
 
+  # Rows of the device's own.
+  if(rows)
+    set(files "")
+    foreach(format IN LISTS blysk_checked_formats)
+      set(file ${CMAKE_CURRENT_BINARY_DIR}/rows_${identifier}_${format}.csv)
+      add_custom_command(OUTPUT ${file} COMMAND ${rows} ${device} ${format} ${file} DEPENDS ${rows} VERBATIM)
+      list(APPEND files ${file})
+      add_test(NAME cosim.${device}.rows.${format} COMMAND sweep_verilog ${device} ${format} ${file})
+      blysk_label(quick cosim.${device}.rows.${format})
+    endforeach()
+    add_custom_target(rows_${identifier} ALL DEPENDS ${files})
+  endif()
+
   # Coverage and mutants.
   set(reasons "")
   set(files ${PROJECT_SOURCE_DIR}/tb/${family}/uncovered.txt ${own}/uncovered.txt)
@@ -206,12 +222,19 @@ function(blysk_device_tests device)
     set(name coverage_${identifier}_${format})
     blysk_coverage(${name} ${device} ${format})
     set(uncovered ${CMAKE_CURRENT_SOURCE_DIR}/uncovered.sh $<TARGET_FILE:${name}> ${device} ${format})
+    set(further "")
+    if(rows)
+      set(further --rows ${CMAKE_CURRENT_BINARY_DIR}/rows_${identifier}_${format}.csv)
+    endif()
     add_test(NAME cosim.${device}.coverage.${format}
-             COMMAND ${uncovered} --check ${tables}/coverage_${format}.md ${reasons})
+             COMMAND ${uncovered} --check ${tables}/coverage_${format}.md ${further} ${reasons})
     blysk_label(full cosim.${device}.coverage.${format})
-    add_custom_target(update_${name} COMMAND ${uncovered} --output ${tables}/coverage_${format}.md ${reasons}
+    add_custom_target(update_${name} COMMAND ${uncovered} --output ${tables}/coverage_${format}.md ${further} ${reasons}
                       USES_TERMINAL VERBATIM)
     add_dependencies(update_${name} ${name})
+    if(rows)
+      add_dependencies(update_${name} rows_${identifier})
+    endif()
     add_dependencies(update_coverage update_${name})
   endforeach()
   set(equivalence --prove ${CMAKE_CURRENT_SOURCE_DIR}/mutants.sh)
@@ -226,17 +249,28 @@ function(blysk_device_tests device)
     set(name mutation_${identifier}_few)
     blysk_mutants(${name} ${device} ${format} 200)
     set_target_properties(${name} PROPERTIES EXCLUDE_FROM_ALL OFF)
+    set(further "")
+    if(rows)
+      set(further --rows ${CMAKE_CURRENT_BINARY_DIR}/rows_${identifier}_${format}.csv)
+    endif()
     add_test(NAME cosim.${device}.mutation.${format}
-             COMMAND ${name} ${device} ${format} ${CMAKE_CURRENT_BINARY_DIR}/${name} ${equivalence})
+             COMMAND ${name} ${device} ${format} ${CMAKE_CURRENT_BINARY_DIR}/${name} ${further} ${equivalence})
     blysk_label(full cosim.${device}.mutation.${format})
   endif()
   foreach(format IN LISTS mutated)
     set(name mutation_${identifier}_${format})
     blysk_mutants(${name} ${device} ${format} 1200)
+    set(further "")
+    if(rows)
+      set(further --rows ${CMAKE_CURRENT_BINARY_DIR}/rows_${identifier}_${format}.csv)
+    endif()
     add_custom_target(update_${name} USES_TERMINAL VERBATIM
       COMMAND ${CMAKE_COMMAND} -E make_directory ${tables}
-      COMMAND ${name} ${device} ${format} ${CMAKE_CURRENT_BINARY_DIR}/${name} ${equivalence}
+      COMMAND ${name} ${device} ${format} ${CMAKE_CURRENT_BINARY_DIR}/${name} ${further} ${equivalence}
               --output ${tables}/mutation_${format}.md)
+    if(rows)
+      add_dependencies(update_${name} rows_${identifier})
+    endif()
     add_dependencies(update_mutation update_${name})
   endforeach()
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// mutation DEVICE FORMAT FOLDER [--prove SCRIPT] [--states STATES] [--reasons REASONS] [--output TABLE.md]: does the regression
-// kill the single-fault mutants of the exported device? FOLDER has what mutants.sh wrote: list.ys, the faults, and
+// mutation DEVICE FORMAT FOLDER [--rows ROWS.csv] [--prove SCRIPT] [--states STATES] [--reasons REASONS] [--output TABLE.md]: does
+// the regression kill the single-fault mutants of the exported device? FOLDER has what mutants.sh wrote: list.ys, the faults, and
 // control.txt, the cells of the registers' enables and resets. Exit 1 if one lives that is not shown to be equivalent. Built
 // once for each device and format, with the modules of the mutants.
 #include <fmt/format.h>
@@ -15,12 +15,14 @@
 
 #include "tb/cosim/mutants.h"
 #include "tb/cosim/regression.h"
+#include "tb/cosim/rows_file.h"
 #include "tb/cosim/strobes.h"
 #include "tb/inputs.h"
 #include "tb/output_file.h"
 #include "tb/program.h"
 #include "tb/progress.h"
 #include "tb/run_tool.h"
+#include "tb/usage_error.h"
 
 namespace blysk::cosim {
 namespace {
@@ -299,10 +301,14 @@ std::map<std::string, std::string> read_reasons(const std::string& path) {
 }
 
 std::unique_ptr<regression> make_regression(const selection& asked, const std::string& folder,
-                                            const arguments_for_equivalence& with) {
-  if (protocol_of(asked.of().ports(asked)) == protocol::strobes)
+                                            const std::string& rows, const arguments_for_equivalence& with) {
+  if (protocol_of(asked.of().ports(asked)) == protocol::strobes) {
+    if (!rows.empty())
+      throw usage_error("--rows is for a device with start and ready, " + asked.of().name() + " has strobes");
     return std::make_unique<strobe_regression>(asked);
-  return make_row_regression(asked, [=, fraction = asked.fraction()](unsigned number) {
+  }
+  columns own_rows = rows.empty() ? columns() : read_rows(asked, rows);
+  return make_row_regression(asked, std::move(own_rows), [=, fraction = asked.fraction()](unsigned number) {
     std::vector<std::string> words{with.script, "prove", folder, fmt::format("{}", number)};
     if (!with.states.empty()) {
       words.push_back(with.states);
@@ -312,8 +318,8 @@ std::unique_ptr<regression> make_regression(const selection& asked, const std::s
   });
 }
 
-int run(const selection& asked, const std::string& folder, const arguments_for_equivalence& with,
-        const std::string& table) {
+int run(const selection& asked, const std::string& folder, const std::string& rows,
+        const arguments_for_equivalence& with, const std::string& table) {
   const std::set<std::string> control = control_cells(folder + "/control.txt");
   std::vector<mutation> mutations;
   for (const std::string& line : lines_of(folder + "/list.ys")) mutations.push_back(parse(line, control));
@@ -321,7 +327,7 @@ int run(const selection& asked, const std::string& folder, const arguments_for_e
   if (mutations.size() != 100 * mutants_table().size())
     throw std::runtime_error(fmt::format("{}/list.ys has {} mutants, expected {}", folder, mutations.size(),
                                          100 * mutants_table().size()));
-  const std::unique_ptr<regression> tests = make_regression(asked, folder, with);
+  const std::unique_ptr<regression> tests = make_regression(asked, folder, rows, with);
   const std::span<const char* const> fates = tests->fates();
   const std::size_t is_alive = fates.size() - 1;
   const std::size_t is_equivalent = fates.size() - 2;
@@ -374,12 +380,14 @@ int main(int argc, char** argv) {
   using namespace blysk;
   device_arguments arguments;
   cosim::arguments_for_equivalence with;
-  std::string folder, table;
+  std::string folder, rows, table;
   return run_program(
       argc, argv, "Tries the single-fault mutants of an exported device on the regression",
       [&](CLI::App& program) {
         arguments.add_to(program);
         program.add_option("FOLDER", folder, "of list.ys and control.txt")->required();
+        program.add_option("--rows", rows, "further rows of the regression, raw codes in CSV")
+            ->check(CLI::ExistingFile);
         program.add_option("--prove", with.script, "mutants.sh, which proves that survivors are equivalent");
         program.add_option("--states", with.states, "states.v of the device, for the proofs")
             ->check(CLI::ExistingFile);
@@ -387,5 +395,5 @@ int main(int argc, char** argv) {
             ->check(CLI::ExistingFile);
         program.add_option("--output", table, "Markdown file for the result");
       },
-      [&] { return cosim::run(arguments.chosen(), folder, with, table); });
+      [&] { return cosim::run(arguments.chosen(), folder, rows, with, table); });
 }

@@ -36,8 +36,9 @@ class regression {
 };
 
 /// Of a device that takes rows by start and ready.
+/// \param own_rows   further rows that the device's tests send, none if empty
 /// \param is_proved  whether the mutant with the number is proved to be the device, see mutants.sh
-std::unique_ptr<regression> make_row_regression(const selection& asked,
+std::unique_ptr<regression> make_row_regression(const selection& asked, columns own_rows,
                                                 std::function<bool(unsigned)> is_proved);
 
 }  // namespace blysk::cosim

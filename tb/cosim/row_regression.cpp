@@ -17,6 +17,7 @@ enum : std::size_t {
   killed_by_strobes,
   killed_by_codes,
   killed_by_rows,
+  killed_by_own_rows,
   killed_by_all_inputs,
   equivalent,
   alive
@@ -25,6 +26,7 @@ enum : std::size_t {
 constexpr const char* kFates[] = {"killed by 20000 cycles of starts and resets",
                                   "killed by 20000 such cycles with illegal codes",
                                   "killed by random rows",
+                                  "killed by rows of the device's own",
                                   "killed by all inputs",
                                   "equivalent",
                                   "alive"};
@@ -37,9 +39,10 @@ constexpr std::uint64_t kLines = 100;  // of hundreds of pixels
 /// passes them is equivalent too, if its outputs are still a function of the row that was taken last.
 class row_regression final : public regression {
  public:
-  row_regression(const selection& asked, std::function<bool(unsigned)> is_proved)
+  row_regression(const selection& asked, columns own_rows, std::function<bool(unsigned)> is_proved)
       : asked_(asked),
         ports_(asked.of().ports(asked)),
+        own_rows_(std::move(own_rows)),
         is_proved_(std::move(is_proved)),
         tries_all_rows_(asked.of().enumerated() == of_role(ports_, port::role::data).size()) {
     for (const auto& make : mutants_table()) modules_.push_back(make());
@@ -64,6 +67,7 @@ class row_regression final : public regression {
     if (differs(codes::legal, legal_)) return fate::killed_by_strobes;
     if (differs(codes::all, all_)) return fate::killed_by_codes;
     if (differs_in_random_rows()) return fate::killed_by_rows;
+    if (own_rows_.size() > 0 && differs(own_rows_)) return fate::killed_by_own_rows;
     if (is_proved_(number)) return fate::equivalent;
     if (differs_in_all_inputs()) return fate::killed_by_all_inputs;
     return what.is_datapath && tries_all_rows_ ? fate::equivalent : fate::alive;
@@ -139,6 +143,7 @@ class row_regression final : public regression {
 
   const selection& asked_;
   std::vector<port> ports_;
+  columns own_rows_;
   std::function<bool(unsigned)> is_proved_;
   bool tries_all_rows_;             // all inputs are all rows that are legal
   std::vector<std::size_t> outer_;  // columns
@@ -151,9 +156,9 @@ class row_regression final : public regression {
 
 }  // namespace
 
-std::unique_ptr<regression> make_row_regression(const selection& asked,
+std::unique_ptr<regression> make_row_regression(const selection& asked, columns own_rows,
                                                 std::function<bool(unsigned)> is_proved) {
-  return std::make_unique<row_regression>(asked, std::move(is_proved));
+  return std::make_unique<row_regression>(asked, std::move(own_rows), std::move(is_proved));
 }
 
 }  // namespace blysk::cosim

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// sweep_verilog DEVICE FORMAT [all|corners|beside|COUNT]: the exported Verilog, and the reference written by hand where
+// sweep_verilog DEVICE FORMAT [all|corners|beside|COUNT|ROWS.csv]: the exported Verilog, and the reference written by hand where
 // there is one, against the bit-accurate model. Exit 1 if they differ anywhere.
 //   all      every combination of legal codes of the enumerated ports
 //   corners  those within 1024 of an end or a corner of the last of them
 //   beside   every code of the other ports at every code of the last enumerated one
 //   COUNT    so many random ones
+//   ROWS.csv  those of a file, raw codes
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -13,6 +14,7 @@
 #include <utility>
 
 #include "tb/cosim/reference.h"
+#include "tb/cosim/rows_file.h"
 #include "tb/inputs.h"
 #include "tb/program.h"
 #include "tb/progress.h"
@@ -127,7 +129,8 @@ void for_codes_beside(const selection& asked, const use_batch& use) {
 int sweep(const selection& asked, const std::string& which) {
   comparison against_model(asked);
   std::uint64_t count = 0;  // 0: nobody counts them before
-  const bool is_random = which != "all" && which != "corners" && which != "beside";
+  const bool is_file = which.ends_with(".csv");
+  const bool is_random = !is_file && which != "all" && which != "corners" && which != "beside";
   if (is_random) count = positive("COUNT", which);
   if (which == "all") count = input_count(asked);
   {
@@ -136,7 +139,9 @@ int sweep(const selection& asked, const std::string& which) {
       against_model.check(in);
       if (count > 0) bar.advance(in.size());
     };
-    if (is_random) {
+    if (is_file) {
+      check(read_rows(asked, which));
+    } else if (is_random) {
       for_random_inputs(asked, count, 1, check);
     } else if (which == "all") {
       for_all_inputs(asked, check);
@@ -162,10 +167,11 @@ int main(int argc, char** argv) {
       [&](CLI::App& program) {
         arguments.add_to(program);
         program
-            .add_option("INPUTS", which,
-                        "all: every input; corners: those near ends and corners; beside: every code of the "
-                        "ports that "
-                        "are not enumerated; a number: so many random ones")
+            .add_option(
+                "INPUTS", which,
+                "all: every input; corners: those near ends and corners; beside: every code of the "
+                "ports that "
+                "are not enumerated; a number: so many random ones; a file: its rows, raw codes in CSV")
             ->capture_default_str();
       },
       [&] { return blysk::cosim::sweep(arguments.chosen(), which); });

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# uncovered.sh PROGRAM DEVICE FORMAT --output|--check TABLE REASONS...
+# uncovered.sh PROGRAM DEVICE FORMAT --output|--check TABLE [--rows ROWS.csv] REASONS...
 # Runs PROGRAM, the coverage program of the device and format, and writes the table of the nets it does not reach: bits that did not change
 # both ways, and lines that did not run, each with its reason. REASONS are files with a line for each reason: a regular
 # expression of the whole name of a net, the bit or *, the reason, with tabs between; # begins a comment. --check compares
@@ -12,10 +12,16 @@ if [ $# -lt 5 ] || [[ ! $4 =~ ^--(output|check)$ ]]; then
   exit 2
 fi
 program=$1 device=$2 format=$3 action=$4 table=$5
+shift 5
+rows=()
+if [ "${1:-}" = --rows ]; then
+  rows=(--rows "$2")
+  shift 2
+fi
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
-"$program" "$device" "$format" "$folder/coverage.dat"
-cat "${@:6}" /dev/null | grep -v '^#' >"$folder/reasons" || true
+"$program" "$device" "$format" "$folder/coverage.dat" "${rows[@]}"
+cat "$@" /dev/null | grep -v '^#' >"$folder/reasons" || true
 
 # A point a line: net, bit, 1 if it was reached. Verilator counts every change, the one from 0 to a wired 1 at the start
 # too, so a bit needs two.

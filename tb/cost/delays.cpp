@@ -146,8 +146,7 @@ device_delays parse_delays(const std::string& path, const std::string& text) {
 }
 
 device_delays read_delays(const std::string& file, const selection& asked, const std::string& digest) {
-  const std::vector<port> ports = asked.of().ports(asked);
-  if (std::ranges::find(ports, port::role::start, &port::is) != ports.end()) {
+  if (protocol_of(asked.of().ports(asked)) != protocol::strobes) {
     throw std::invalid_argument(fmt::format(
         "device {} takes its inputs by start and ready, expected one whose registers are written by "
         "strobes: no other has nets that take delays",

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -84,7 +85,13 @@ void add_device_arguments(CLI::App& verb, asked_device& arguments, purpose is_fo
           "--" + name, [&arguments, name] { arguments.options[name] = "on"; }, help_of(each, is_for));
     } else {
       verb.add_option_function<std::string>(
-          "--" + name, [&arguments, name](const std::string& value) { arguments.options[name] = value; },
+          "--" + name,
+          [&arguments, name](const std::string& value) {
+            if (value.starts_with("--"))
+              throw std::invalid_argument(
+                  fmt::format("--{} is followed by {}, expected a value", name, value));
+            arguments.options[name] = value;
+          },
           help_of(each, is_for));
     }
   }

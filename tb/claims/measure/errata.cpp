@@ -2,13 +2,16 @@
 // Where a seed contradicts itself or mathematics: what the printed form measures.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <stdexcept>
 
+#include "tb/claims/measure/listing_triangle.h"
 #include "tb/claims/measure/over_exponents.h"
 #include "tb/claims/measure/patent_constants.h"
 #include "tb/golden/angle.h"
+#include "tb/golden/interpolation/triangle.h"
 #include "tb/golden/registry.h"
 #include "tb/golden/scene.h"
 
@@ -112,6 +115,23 @@ figures opposite_light() {
   return {{"length", std::sqrt(dot(half_vec, half_vec))}, {"cos", clamped_cosine(light, half_vec)}};
 }
 
+/// How far the listing with one of its slips is from the six intensities at most, over them all.
+double largest_miss(const listing_slips& slips) {
+  const quadratic_surface<double> surface = surface_of_listing(kTriangle, kIntensities, slips);
+  double miss = 0;
+  for (const node& each : kNodes)
+    miss = std::max(miss, std::abs(surface.at(each.x, each.y) - kIntensities.*each.intensity));
+  return miss;
+}
+
+/// The largest coefficient of the second degree, with the means of the vertices at the middles.
+double second_degree_of_means() {
+  const auto& [i1, i2, i3, i12, i13, i23] = kIntensities;
+  const quadratic_surface<double> surface =
+      surface_of_listing(kTriangle, {i1, i2, i3, (i1 + i2) / 2, (i1 + i3) / 2, (i2 + i3) / 2}, {});
+  return std::max({std::abs(surface.p3), std::abs(surface.p4), std::abs(surface.p5)});
+}
+
 }  // namespace
 
 void measure_errata(measurements& into) {
@@ -148,6 +168,12 @@ void measure_errata(measurements& into) {
   };
   into["E17"] = opposite_light;
   into["E18"] = [] { return figures{{"coef", angle_coefficient_exact(2.0, 1.0, kQ)}}; };
+  into["E19"] = [] {
+    return figures{{"term", largest_miss({.term = true})},
+                   {"division", largest_miss({.division = true})},
+                   {"blue", largest_miss({.blue = true})}};
+  };
+  into["E20"] = [] { return figures{{"second", second_degree_of_means()}}; };
 }
 
 }  // namespace blysk::claims

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "tb/claims/measure/listing_triangle.h"
 #include "tb/claims/measure/over_exponents.h"
 #include "tb/claims/measure/patent_constants.h"
 #include "tb/claims/tables/tables.h"
@@ -194,13 +195,57 @@ std::string table_e12_to_e17() {
                   });
 }
 
+std::string table_e19_e20() {
+  const quadratic_surface<double> right = surface_through(kTriangle, kIntensities);
+  const auto& [i1, i2, i3, i12, i13, i23] = kIntensities;
+  const six_intensities<double> means{i1, i2, i3, (i1 + i2) / 2, (i1 + i3) / 2, (i2 + i3) / 2};
+  const listing_slips red{.term = true, .division = true, .blue = false};
+  const listing_slips blue{.term = true, .division = true, .blue = true};
+  return "\n## E19\n\nVertices (0, 0), (8, 4), (4, 8). Lines 322, 341 and 360 have 4 C12 - C23 Y2 in P4 "
+         "where lines "
+         "323, 342 and 361 have 4 C12 Y3 - C23 Y2 in P5; lines 327, 346 and 365 divide by Y2 and multiply by "
+         "it; line "
+         "358 has - 4 I23 where lines 316 and 339 have + 4 I23. P1 and P2 go with y and x as they are "
+         "computed, so "
+         "nothing is exchanged there. Besides, the first vertex has to be the origin and the coordinates are "
+         "those of "
+         "the picture; lines 501 to 512 put 100 or 255 in place of the colours\n\n" +
+         tabulate({"at", "x", "y", "intensity", "the polynomial", "4 C12 without Y3", "/Y2*Y2", "- 4 I23",
+                   "red as printed", "blue as printed"},
+                  kNodes,
+                  [&](const node& each) {
+                    const auto with = [&](const listing_slips& slips) {
+                      return number(surface_of_listing(kTriangle, kIntensities, slips).at(each.x, each.y), 6);
+                    };
+                    return std::vector<std::string>{each.name,
+                                                    number(each.x),
+                                                    number(each.y),
+                                                    number(kIntensities.*each.intensity),
+                                                    number(right.at(each.x, each.y), 6),
+                                                    with({.term = true}),
+                                                    with({.division = true}),
+                                                    with({.blue = true}),
+                                                    with(red),
+                                                    with(blue)};
+                  }) +
+         "\n## E20\n\nThe same triangle: the polynomial with the intensities of the middles, and with the "
+         "means of the "
+         "vertices, as lines 309 to 311 have them, which is Gouraud's plane\n\n" +
+         tabulate({"at", "intensity", "with the middles", "with the means"}, kNodes, [&](const node& each) {
+           return std::vector<std::string>{each.name, number(kIntensities.*each.intensity),
+                                           number(right.at(each.x, each.y), 6),
+                                           number(surface_through(kTriangle, means).at(each.x, each.y), 6)};
+         });
+}
+
 }  // namespace
 
 std::vector<table> errata_tables() {
   return {{"errata.md",
            "# Errata, each with its numbers\n\nThe rows of [verification.md](../verification.md) say "
            "what the seed prints and what was decided.\n" +
-               table_e1_e3_e4() + table_e5_e6() + table_e7_e8() + table_e9_e10_e11() + table_e12_to_e17()}};
+               table_e1_e3_e4() + table_e5_e6() + table_e7_e8() + table_e9_e10_e11() + table_e12_to_e17() +
+               table_e19_e20()}};
 }
 
 }  // namespace blysk::claims

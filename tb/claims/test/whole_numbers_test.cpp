@@ -130,6 +130,16 @@ TEST_CASE("whole numbers by hand", "[claims]") {
                 {"bit_one", 1.0 / 2}};
   rows["E6"]["lsb"] = 1 / 32768.0;
   rows["E14"]["digits"] = 256.0;
+  // The triangle (0, 0), (8, 4), (4, 8) has D = 48; C12 = -280, C13 = -140, C23 = -400. P3 = (2 C12 16 - C23 32 + 2 C13 64)
+  // over D^2 = -14080/2304; / Y2 * Y2 takes it 16 times, so at y = 8 misses by 15 P3 64. Without Y3 P4 is off by
+  // 4 C12 4 (8 - 1)/D^2 = -31360/2304, and P3, which is made of it, by -2 times that: at (4, 8) 8 (4 - 16) times it. With
+  // - 4 I23 C23 is off by 8 I23, of which the middle of 2 and 3 sees a quarter.
+  CHECK(40 + 80 - 2 * 200 == -280);
+  CHECK(40 + 60 - 2 * 120 == -140);
+  CHECK(4 * (40 - 200 - 120 + 180) == -400);
+  CHECK(2 * -280 * 16 + 400 * 32 + 2 * -140 * 64 == -14080);
+  rows["E19"] = {{"term", 31360.0 / 2304 * 96}, {"division", 14080.0 / 2304 * 15 * 64}, {"blue", 2 * 180.0}};
+  rows["E20"]["second"] = 0.0;  // C12 = I1 + I2 - (I1 + I2), and so are the others
   check_rows("whole numbers by hand", rows);
 }
 

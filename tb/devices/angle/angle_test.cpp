@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // UA 71489 against the function of [A] and against cos^n.
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "rtl_sysc/devices/angle/formats.h"
@@ -137,6 +138,42 @@ TEST_CASE("no word is lost on the way from the axis to the lobe's end", "[angle]
   }
 }
 
+TEST_CASE("the reflectance never rises with the angle: every exponent, every code at multiplier 2",
+          "[angle]") {
+  for (const char* format : {"q8", "q12", "q24"}) {
+    const selection asked = choose("angle", format);
+    const std::int64_t pitch = std::int64_t{1}
+                               << (angle_bits(asked) - asked.of().widths(asked).at("limited"));
+    const auto model = asked.of().make_bit(asked);
+    columns out;
+    int exceptions = 0;
+    for (int n = 1; n <= 1000; ++n) {
+      // Lines one after the other, from the axis to where the lobe has ended.
+      const double end = golden::angle_limit<double>(n, std::min(5, n), 0.5);
+      const std::int64_t codes = std::min(code_of(asked, 1.001 * end), code_of(asked, 1.5707)) / pitch;
+      const std::int64_t lines = codes / 1023 + 1;
+      columns in(asked.of().ports(asked), port::role::data);
+      in.resize(static_cast<std::size_t>(lines));
+      for (std::int64_t i = 0; i < lines; ++i) {
+        const auto row = static_cast<std::size_t>(i);
+        in[0].set(row, n);
+        in[1].set(row, 255);
+        in[2].set(row, i * 1023 * pitch);
+        in[3].set(row, pitch);
+        in[4].set(row, 1023);
+      }
+      model->run(in, out);
+      REQUIRE(out.size() == static_cast<std::size_t>(lines) * 1023);
+      REQUIRE(out[kBrdf].get(0) == std::int64_t{1} << asked.fraction());
+      REQUIRE(out[kBrdf].get(out.size() - 1) == 0);
+      for (std::size_t i = 1; i < out.size(); ++i)
+        exceptions += out[kBrdf].get(i) > out[kBrdf].get(i - 1) || out[kOut].get(i) > out[kOut].get(i - 1);
+    }
+    CAPTURE(format);
+    CHECK(exceptions == 0);
+  }
+}
+
 TEST_CASE("an exponent up to k is cos^n itself", "[angle]") {
   const selection asked = choose("angle", "q16", {{"q", "0.3"}, {"k", "5"}});
   for (int n = 1; n <= 5; ++n) {
@@ -212,6 +249,23 @@ TEST_CASE("a line takes its pixels and two cycles, a count of 0 one pixel", "[an
   CHECK(out.size() == 1);
   CHECK(device->cycles() - before == 1 + 2 + 1);
   CHECK(out[kOut].get(0) == 255 << 8);
+}
+
+TEST_CASE("the words of ROM 2 are as survivors.txt and uncovered.txt say", "[angle]") {
+  using formats = angle_formats<q8>;
+  std::array<std::int64_t, 1001> words{};
+  fill_factors(words, 500000, 5, formats::factor_bits);
+  CHECK(words[0] == 0);
+  bool reaches_end = true;
+  for (std::size_t n = 1; n < words.size(); ++n) {
+    REQUIRE(words[n] < std::int64_t{16} << formats::factor_bits);
+    // From which limited angle on it does not matter where limit4 cuts.
+    for (const std::int64_t limited : {65527, 65531, 65535}) {
+      reaches_end =
+          reaches_end && formats::quant2::law(formats::mul2::law(limited, words[n])) == formats::place::max;
+    }
+  }
+  CHECK(reaches_end);
 }
 
 TEST_CASE("options that are no Q or k are refused in one line", "[angle]") {

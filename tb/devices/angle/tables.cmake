@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Tables that only this device has: the lobe against cos^n.
 blysk_add_program(epicentre SOURCES ${own}/tables/epicentre.cpp LIBRARIES blysk_golden blysk_files)
+blysk_add_program(telling_rows SOURCES ${own}/rows/telling_rows.cpp LIBRARIES blysk_files)
 add_test(NAME docs.${device}.epicentre COMMAND epicentre --check ${tables})
 blysk_label(quick docs.${device}.epicentre)
 add_custom_target(update_epicentre USES_TERMINAL VERBATIM

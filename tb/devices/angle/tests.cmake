@@ -2,8 +2,9 @@
 # What the functions that declare a device's tests have to know of this one.
 set(protocol handshake)           # start, ready and valid
 set(exhaustive ${blysk_formats})  # every exponent; intensities, angles and lengths run alongside
-set(covered "")
-set(mutated "")
+set(rows telling_rows)  # in which a wrong bit of a memory changes a pixel
+set(covered q8)
+set(mutated q8)
 set(replayed 20)  # lines of up to 1023 pixels
 set(beside "")  # angles have too many codes
 set(stated q8 q12 q16)  # q24 was not waited for

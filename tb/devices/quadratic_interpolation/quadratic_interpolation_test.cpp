@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Forward differences against the polynomial itself.
+#include <algorithm>
 #include <cmath>
 #include <random>
 
 #include "tb/catch.h"
 #include "tb/device.h"
+#include "tb/golden/interpolation/triangle.h"
 #include "tb/harness/systemc_engine.h"
 
 namespace {
@@ -67,6 +69,39 @@ TEST_CASE("pixels are the polynomial, rounded and limited", "[quadratic-interpol
         if (out[1].get(static_cast<std::size_t>(x)) == expected) continue;
         CAPTURE(format, length, value, first, second, x);
         FAIL("a pixel is wrong");
+      }
+    }
+  }
+}
+
+TEST_CASE("a scan line of a triangle is the polynomial through its six intensities",
+          "[quadratic-interpolation]") {
+  // Vertices (0, 0), (200, 60), (40, 180), a highlight near the middle of the first edge.
+  const golden::triangle<double> of{200, 60, 40, 180};
+  const golden::quadratic_surface<double> surface =
+      golden::surface_through<double>(of, {40, 80, 60, 200, 120, 180});
+  for (const char* format : {"q16", "q24"}) {
+    const selection asked = choose("quadratic-interpolation", format);
+    const int frac = asked.fraction();
+    const auto code = [&](double x) {
+      return static_cast<std::int64_t>(std::floor(std::ldexp(x, frac) + 0.5));
+    };
+    for (const int y : {1, 30, 60, 90, 179}) {
+      const int left = static_cast<int>(std::ceil(y * 40 / 180.0));
+      const int right = static_cast<int>(std::floor(y <= 60 ? y * 200 / 60.0 : 200 - (y - 60) * 160 / 120.0));
+      REQUIRE(left < right);
+      columns out;
+      asked.of().make_bit(asked)->run(
+          line_of(asked, right - left, code(surface.at(left, y)), code(surface.first_difference(left, y)),
+                  code(surface.second_difference())),
+          out);
+      REQUIRE(out.size() == static_cast<std::size_t>(right - left) + 1);
+      for (int x = left; x <= right; ++x) {
+        const double steps = x - left;
+        const double rounded = std::ldexp(1 + steps + steps * (steps - 1) / 2, -frac - 1);
+        const double exact = std::min(255.0, std::max(0.0, surface.at(x, y)));
+        CAPTURE(format, y, x);
+        CHECK(std::abs(out[0].real(static_cast<std::size_t>(x - left)) - exact) <= 0.5 + rounded + 1e-9);
       }
     }
   }
