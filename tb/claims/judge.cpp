@@ -33,7 +33,7 @@ double number_of(std::string_view text) {
 
 double unit_of(std::string_view printed) {
   const std::size_t exponent = std::min(printed.find('e'), printed.size());
-  const std::size_t point = printed.substr(0, exponent).find('.');
+  const std::size_t point = printed.find('.');
   const double scale = exponent == printed.size()
                            ? 0
                            : number_of(printed.substr(exponent + (printed[exponent + 1] == '+' ? 2 : 1)));
