@@ -140,7 +140,7 @@ TEST_CASE("results are written with all their digits", "[cli]") {
   const int fraction = GENERATE(8, 10, 16, 20, 22, 24);
   const std::vector<port> ports = ports_of(fmt::format("q{}", fraction), true);  // signed results
   std::mt19937_64 random(2);
-  row_block block{columns(ports, port::role::data), columns(ports, port::role::result)};
+  row_block block{columns(ports, port::role::data), columns(ports, port::role::result), {}};
   const std::size_t size = 70'000;
   block.writes.resize(size);
   block.computed.resize(size);

@@ -226,8 +226,8 @@ TEST_CASE("effects are exact to half a unit of their sums", "[render]") {
     CHECK(diffuse_term(255 * 256, std::int64_t{1} << fraction, fraction) == 255 << 16);
     for (std::int64_t code = 0; code <= std::int64_t{1} << std::min(fraction, 10); ++code) {
       const double exact = std::ldexp(12345.0 * static_cast<double>(code), 16 - 8 - fraction);
-      REQUIRE(std::abs(diffuse_term(12345, code, fraction) - exact) <= 0.5);
-      REQUIRE(std::abs(specular_term(code * 255, fraction) -
+      REQUIRE(std::abs(static_cast<double>(diffuse_term(12345, code, fraction)) - exact) <= 0.5);
+      REQUIRE(std::abs(static_cast<double>(specular_term(code * 255, fraction)) -
                        std::ldexp(255.0 * static_cast<double>(code), 16 - fraction)) <= 0.5);
     }
   }

@@ -82,10 +82,10 @@ TEST_CASE("random scenes look the same with the effect units as a device", "[ren
       REQUIRE(plain.pixels_in_highlight == host.pixels_in_highlight);
       normalised += plain.image.rgb != host.image.rgb ? 1U : 0U;
     }
-    many += of.lights.size() > 1 && device.pixels > 0 ? 1 : 0;
-    dark += of.lights.empty() && device.pixels > 0 ? 1 : 0;
+    many += of.lights.size() > 1 && device.pixels > 0 ? 1U : 0U;
+    dark += of.lights.empty() && device.pixels > 0 ? 1U : 0U;
     const auto is_coloured = [](const light_plan& each) { return each.has_specular && !each.is_grey; };
-    coloured += std::ranges::any_of(device.planned.of_lights, is_coloured) ? 1 : 0;
+    coloured += std::ranges::any_of(device.planned.of_lights, is_coloured) ? 1U : 0U;
   }
   CHECK(normalised > 40);
   CHECK(many > 40);
