@@ -155,7 +155,8 @@ TEST_CASE("engine timed is for devices with strobes", "[cli]") {
   const scratch folder;
   for_devices(folder, [&](const victim& of) {
     if (protocol_of(of.of().ports(choose(of.of().name(), "q8", {}))) == protocol::strobes) return;
-    of.refuses(folder, fmt::format("device {} has none, expected a device with strobes", of.of().name()),
+    of.refuses(folder,
+               fmt::format("device {} takes its inputs by start and ready, expected one", of.of().name()),
                victim::text(of.header(), of.good()), "--engine timed");
   });
 }

@@ -197,7 +197,7 @@ TEST_CASE("an energy factor is the same on the host and in hardware", "[cli][ren
     CHECK(host["nmse"].get<double>() < 0.05);  // against Blinn's picture with the factor
     CHECK(std::ranges::count(host["units"], "energy") == 1);
     for (const char* options :
-         {"--effects all", "--units systemc", "--units verilator --engine verilator",
+         {"--effects all", "--units systemc", "--units systemc --engine verilator",
           "--units systemc --engine systemc --effects all", "--watch 20,18,12,4", "--threads 3"}) {
       CAPTURE(scene, options);
       const json report = rendered(folder, scene + options);
@@ -207,6 +207,8 @@ TEST_CASE("an energy factor is the same on the host and in hardware", "[cli][ren
   }
   CHECK(run_blysk(folder, "render sphere --explain --normalisation thesis")
             .out.find("; energy factor 2.28106") != std::string::npos);
+  refuses(folder, "sphere --normalisation blinn --units verilator",
+          "engine verilator has the presets compiled in (device lighting, format q16, no energy factor)");
   refuses(folder, "sphere --normalisation most",
           "normalisation most does not exist, expected none, thesis, blinn");
   refuses(folder, "sphere --normalisation blinn --as-published",
