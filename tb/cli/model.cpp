@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <ranges>
 #include <stdexcept>
 #include <string_view>
 #include <utility>
@@ -38,8 +37,11 @@ bool is_cosine(std::string_view column) {
 class point_reader {
  public:
   point_reader(csv_reader& rows, std::string_view header, bool clamps) : rows_(rows), clamps_(clamps) {
-    for (const auto name : std::views::split(header, ','))
-      are_cosines_.push_back(is_cosine(std::string_view(name.begin(), name.end())));
+    while (!header.empty()) {
+      const std::size_t comma = std::min(header.find(','), header.size());
+      are_cosines_.push_back(is_cosine(header.substr(0, comma)));
+      header.remove_prefix(std::min(comma + 1, header.size()));
+    }
   }
 
   std::uint64_t clamped() const { return clamped_; }
