@@ -88,7 +88,7 @@ class selection {
   std::map<std::string, std::string> values_;
 };
 
-/// A name that stands for a device with some of its options chosen: "lyon-2".
+/// A name that stands for a device with some of its options chosen: "NAME-2".
 struct device_alias {
   std::string name;
   std::map<std::string, std::string> options;

@@ -36,7 +36,7 @@ constexpr T divide(T rest, T b, int width, int places) {
 /// Divider: q_o = a_i / b_i, rounded down, for a_i <= b_i: a row of subtractors, one for each bit of the quotient, each of
 /// which keeps its difference if that is not negative.
 ///
-/// Instances  div of Schlick's lobe, of GX's and of the rational one. divide_steps is the same row in time.
+/// Instances  div of lobes that are quotients. divide_steps is the same row in time.
 /// Formats    a_i: A, b_i: B, unsigned, aligned by wiring to the finer one's fraction bits; q_o: UQ1.f. A division by 0
 ///            gives all ones.
 /// Timing     combinational.   Error  below 1 ulp of q_o, downwards.

@@ -8,7 +8,7 @@ namespace blysk {
 
 /// The same number with other fraction bits: y_o = a_i, exact when Y keeps all of A's, else rounded to nearest (ties up).
 ///
-/// Instances  ambient, specular of the lighting unit.
+/// Instances  ambient, specular: terms of a sum of lights.
 /// Formats    a_i: A, y_o: Y; the device asserts that no number overflows Y.
 /// Timing     combinational, wires alone when exact.   Error  0, or 1/2 ulp of Y if Y::frac < A::frac.
 template <class A, class Y>

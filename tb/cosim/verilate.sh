@@ -21,7 +21,7 @@ LC_ALL=C # the order of the files
 rm -f ./"$class"*.h
 cat made/*.cpp >all.cpp
 # Of a large memory Verilator makes trees of conditions: g++ -O3 works at them five to ten times as long as -O1, and what it
-# makes is no faster (power, q24). Small classes are a tenth to a fifth slower with -O1.
+# makes is no faster. Small classes are a tenth to a fifth slower with -O1.
 if [ "$(wc -c <all.cpp)" -gt 1000000 ]; then
   { printf '#pragma GCC push_options\n#pragma GCC optimize("O1")\n' && cat made/*.cpp && printf '#pragma GCC pop_options\n'; } >all.cpp
 fi

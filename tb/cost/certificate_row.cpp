@@ -23,7 +23,7 @@ int fraction_of(const certificate& row) {
   return std::stoi(row.format.substr(1));
 }
 
-/// "lyon --degree 2"
+/// The device with its options as on a command line, "NAME --option 2".
 std::string name_of(const certificate& row) {
   std::string name = row.device;
   for (const auto& [option, value] : row.options)
