@@ -620,7 +620,7 @@ void add_render(CLI::App& program) {
   for (const render::named_inner_colours& each : render::kInnerColours) inner.emplace_back(each.name);
   verb->add_option("--segment-inner", asked->segment_inner,
                    "how the pixels between are interpolated; bilinear: in blocks of as many rows as pixels, "
-                   "from their four corners")
+                   "from their four corners; bicubic: from 16 pixels of their grid")
       ->check(CLI::IsMember(inner))
       ->capture_default_str();
   verb->add_option("--inner-check", asked->inner_check,

@@ -191,7 +191,8 @@ class frame {
         for (const std::uint32_t pixel : pixels) resolve_traced(pixel);
       });
     };
-    const bool by_blocks = job_.by_segments->inner == inner_colours::bilinear;
+    const bool by_blocks =
+        std::ranges::find(kInnerColours, job_.by_segments->inner, &named_inner_colours::are)->are_of_blocks;
     made_.by_segments =
         (by_blocks ? fill_by_blocks : fill_by_segments)(made_.image, *job_.by_segments, trace);
     for (const shader& each : shaders) add_costs(each, threads);

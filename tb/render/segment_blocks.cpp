@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
+#include <stdexcept>
 #include <vector>
 
 #include "tb/render/segments.h"
@@ -28,6 +30,7 @@ class filling {
         const bool is_small = each.right - each.left <= 1 && each.bottom - each.top <= 1;
         if (is_small || is_near(each)) {
           done_.push_back(each);
+          if (!is_small && asked_.inner == inner_colours::bicubic) ask_around(each);
         } else {
           divide(each, parts);
         }
@@ -83,6 +86,26 @@ class filling {
     if (has_columns && has_rows) add({x, y, of.right, of.bottom}, to);
   }
 
+  /// The grid of a bicubic block: the corners' places are the two in the middle. Nothing outside the picture.
+  using places_of_grid = std::array<std::optional<int>, 4>;
+  static places_of_grid grid_of(int first, int last, int side) {
+    const int step = last - first;
+    places_of_grid all;
+    all[1] = first;
+    all[2] = last;
+    if (step > 0 && first - step >= 0) all[0] = first - step;
+    if (step > 0 && last + step < side) all[3] = last + step;
+    return all;
+  }
+
+  void ask_around(const block& of) {
+    for (const std::optional<int>& y : grid_of(of.top, of.bottom, image_.height)) {
+      for (const std::optional<int>& x : grid_of(of.left, of.right, image_.width)) {
+        if (x && y) ask(*x, *y);
+      }
+    }
+  }
+
   std::size_t number(int x, int y) const {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(image_.width) + static_cast<std::size_t>(x);
   }
@@ -112,31 +135,75 @@ class filling {
     return true;
   }
 
-  /// What is not traced. An edge that two blocks share belongs to the one that is right of it or below.
-  void interpolate(const block& of) {
-    const std::int64_t width = std::max(1, of.right - of.left);
-    const std::int64_t height = std::max(1, of.bottom - of.top);
+  /// Calls use(x, y) for the pixels of a block that are not traced. An edge that two blocks share belongs to the one that is
+  /// right of it or below.
+  template <class Use>
+  void for_untraced(const block& of, const Use& use) const {
     const int right = of.right == image_.width - 1 ? of.right : of.right - 1;
     const int bottom = of.bottom == image_.height - 1 ? of.bottom : of.bottom - 1;
-    for (std::size_t channel = 0; channel < 3; ++channel) {
-      const auto corner = [&](int x, int y) { return std::int64_t{image_.pixel(x, y)[channel]}; };
-      const std::int64_t top_left = corner(of.left, of.top);
-      const std::int64_t top_right = corner(of.right, of.top);
-      const std::int64_t bottom_left = corner(of.left, of.bottom);
-      const std::int64_t bottom_right = corner(of.right, of.bottom);
-      for (int y = of.top; y <= bottom; ++y) {
-        const std::int64_t down = y - of.top;
-        const std::int64_t first = top_left * (height - down) + bottom_left * down;
-        const std::int64_t last = top_right * (height - down) + bottom_right * down;
-        for (int x = of.left; x <= right; ++x) {
-          if (is_traced_[number(x, y)]) continue;
-          const std::int64_t along = x - of.left;
-          const std::int64_t sum = first * (width - along) + last * along;
-          image_.pixel(x, y)[channel] =
-              static_cast<std::uint8_t>((2 * sum + width * height) / (2 * width * height));
-        }
+    for (int y = of.top; y <= bottom; ++y) {
+      for (int x = of.left; x <= right; ++x) {
+        if (!is_traced_[number(x, y)]) use(x, y);
       }
     }
+  }
+
+  void interpolate(const block& of) {
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+      if (asked_.inner == inner_colours::bicubic) {
+        interpolate_bicubic(of, channel);
+      } else {
+        interpolate_bilinear(of, channel);
+      }
+    }
+  }
+
+  void interpolate_bilinear(const block& of, std::size_t channel) {
+    const std::int64_t width = std::max(1, of.right - of.left);
+    const std::int64_t height = std::max(1, of.bottom - of.top);
+    const auto corner = [&](int x, int y) { return std::int64_t{image_.pixel(x, y)[channel]}; };
+    const std::int64_t top_left = corner(of.left, of.top);
+    const std::int64_t top_right = corner(of.right, of.top);
+    const std::int64_t bottom_left = corner(of.left, of.bottom);
+    const std::int64_t bottom_right = corner(of.right, of.bottom);
+    for_untraced(of, [&](int x, int y) {
+      const std::int64_t down = y - of.top;
+      const std::int64_t along = x - of.left;
+      const std::int64_t first = top_left * (height - down) + bottom_left * down;
+      const std::int64_t last = top_right * (height - down) + bottom_right * down;
+      const std::int64_t sum = first * (width - along) + last * along;
+      image_.pixel(x, y)[channel] =
+          static_cast<std::uint8_t>((2 * sum + width * height) / (2 * width * height));
+    });
+  }
+
+  /// Four cubics along the rows of the grid, and one down through them.   [T] 2.6, fig. 2.18
+  void interpolate_bicubic(const block& of, std::size_t channel) {
+    const places_of_grid columns = grid_of(of.left, of.right, image_.width);
+    const places_of_grid rows = grid_of(of.top, of.bottom, image_.height);
+    for_untraced(of, [&](int x, int y) {
+      std::array<double, 4> by_row{};
+      for (std::size_t row = 0; row < 4; ++row) {
+        if (!rows[row]) continue;
+        by_row[row] = cubic_through(columns, x, [&](std::size_t column) {
+          return static_cast<double>(image_.pixel(*columns[column], *rows[row])[channel]);
+        });
+      }
+      const double value = cubic_through(rows, y, [&](std::size_t row) { return by_row[row]; });
+      image_.pixel(x, y)[channel] = static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0, 255.0)));
+    });
+  }
+
+  /// Through the two places in the middle of the grid; its slopes there are those between the places on either side.
+  template <class Value>
+  static double cubic_through(const places_of_grid& grid, int place, const Value& value_at) {
+    const double left = value_at(1);
+    const double right = value_at(2);
+    const double length = *grid[2] - *grid[1];
+    if (length == 0) return left;
+    return cubic_at((place - *grid[1]) / length, left, right,
+                    grid[0] ? (right - value_at(0)) / 2 : right - left,
+                    grid[3] ? (value_at(3) - left) / 2 : right - left);
   }
 
   void count() {
@@ -162,6 +229,8 @@ class filling {
 }  // namespace
 
 segment_counts fill_by_blocks(picture& image, const segments& asked, const tracer_of_pixels& trace) {
+  if (asked.inner != inner_colours::bilinear && asked.inner != inner_colours::bicubic)
+    throw std::logic_error("a block has four corners, expected inner colours of blocks");
   return filling(image, asked).run(trace);
 }
 

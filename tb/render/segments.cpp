@@ -114,10 +114,10 @@ class filling {
             value = left + t * (right - left);
             break;
           case inner_colours::cubic:
-            value = left * (1 + 2 * t) * (1 - t) * (1 - t) + right * t * t * (3 - 2 * t) +
-                    left_slope * t * (1 - t) * (1 - t) - right_slope * t * t * (1 - t);
+            value = cubic_at(t, left, right, left_slope, right_slope);
             break;
           case inner_colours::bilinear:
+          case inner_colours::bicubic:
             throw std::logic_error("a segment has two ends, expected a block");
         }
         image_.pixel(x, of.row)[channel] =

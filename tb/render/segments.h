@@ -24,17 +24,20 @@ enum class inner_colours {
   mean,    ///< half the sum of the ends, (2.27)
   linear,  ///< in proportion to the distances
   cubic,  ///< through the ends, with the slopes that the next traced pixels on either side give (Catmull, Rom 1974)
-  bilinear  ///< of blocks, as many rows as pixels: in proportion to the distances from the four corners
+  bilinear,  ///< of blocks, as many rows as pixels: in proportion to the distances from the four corners
+  bicubic    ///< of blocks: cubic in both directions, from 16 traced pixels of a grid
 };
 
 struct named_inner_colours {
   inner_colours are;
   std::string_view name;
+  bool are_of_blocks;
 };
-inline constexpr std::array kInnerColours{named_inner_colours{inner_colours::mean, "mean"},
-                                          named_inner_colours{inner_colours::linear, "linear"},
-                                          named_inner_colours{inner_colours::cubic, "cubic"},
-                                          named_inner_colours{inner_colours::bilinear, "bilinear"}};
+inline constexpr std::array kInnerColours{named_inner_colours{inner_colours::mean, "mean", false},
+                                          named_inner_colours{inner_colours::linear, "linear", false},
+                                          named_inner_colours{inner_colours::cubic, "cubic", false},
+                                          named_inner_colours{inner_colours::bilinear, "bilinear", true},
+                                          named_inner_colours{inner_colours::bicubic, "bicubic", true}};
 
 struct segments {
   int length =
@@ -62,11 +65,21 @@ double colour_difference(colour_measure by, const std::uint8_t* a, const std::ui
 /// Writes the colours of these pixels, numbered row by row; each is asked for once.
 using tracer_of_pixels = std::function<void(std::span<const std::uint32_t>)>;
 
+/// The cubic polynomial of t in [0, 1] with these values and slopes at its ends.   Hermite
+constexpr double cubic_at(double t, double left, double right, double left_slope, double right_slope) {
+  return left * (1 + 2 * t) * (1 - t) * (1 - t) + right * t * t * (3 - 2 * t) +
+         left_slope * t * (1 - t) * (1 - t) - right_slope * t * t * (1 - t);
+}
+
 /// Fills a picture.
+/// \throws std::logic_error for inner colours of blocks
 segment_counts fill_by_segments(picture& image, const segments& asked, const tracer_of_pixels& trace);
 
-/// The same by blocks, for inner colours bilinear: the four corners of a block are traced; if every two of them are near to each
-/// other, the other pixels are interpolated, else the block is halved in both directions.
+/// The same by blocks, for inner colours of blocks: the four corners of a block are traced; if every two of them are near to each
+/// other, the other pixels are interpolated, else the block is halved in both directions. For bicubic the twelve pixels around
+/// the corners are traced, too, which are as far from them as the corners are from each other; where one lies outside the picture,
+/// the slope there is that between the corners.
+/// \throws std::logic_error for inner colours of segments
 segment_counts fill_by_blocks(picture& image, const segments& asked, const tracer_of_pixels& trace);
 
 }  // namespace blysk::render

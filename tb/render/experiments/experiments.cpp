@@ -105,7 +105,8 @@ std::vector<segment_run> run_segments(const device_source& from) {
     for (const colour_measure measure : {colour_measure::cie76, colour_measure::rgb}) {
       for (const double limit : {0.0, 1.0, 2.3, 5.0, 10.0}) run(measure, limit, inner_colours::mean);
     }
-    for (const inner_colours inner : {inner_colours::linear, inner_colours::cubic, inner_colours::bilinear})
+    for (const inner_colours inner :
+         {inner_colours::linear, inner_colours::cubic, inner_colours::bilinear, inner_colours::bicubic})
       run(colour_measure::cie76, 2.3, inner);
   }
   return all;
