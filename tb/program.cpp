@@ -4,14 +4,32 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <map>
 #include <stdexcept>
 #include <system_error>
 #include <systemc>
+#include <vector>
 
 #include "tb/run_program.h"
 #include "tb/usage_error.h"
 
 namespace blysk {
+namespace {
+
+/// \param words  "--coefficient published --as-published"
+std::map<std::string, std::string> parse_options(const std::vector<std::string>& words) {
+  std::map<std::string, std::string> options;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (!words[i].starts_with("--"))
+      throw std::invalid_argument(fmt::format("{} is not an option, expected --OPTION [VALUE]", words[i]));
+    const std::string name = words[i].substr(2);
+    const bool has_value = i + 1 < words.size() && !words[i + 1].starts_with("-");
+    options[name] = has_value ? words[++i] : "on";
+  }
+  return options;
+}
+
+}  // namespace
 
 int run_program(int argc, char** argv, const std::string& what,
                 const std::function<void(CLI::App&)>& describe, const std::function<int()>& run) {
@@ -31,8 +49,19 @@ int run_program(int argc, char** argv, const std::string& what,
 }
 
 void device_arguments::add_to(CLI::App& program) {
-  program.add_option("DEVICE", device, "name of a device, as devices.def has it")->required();
-  program.add_option("FORMAT", format, "named format, such as q12")->required();
+  program.add_option("DEVICE", device_, "name of a device, as devices.def has it")->required();
+  program.add_option("FORMAT", format_, "named format, such as q12")->required();
+}
+
+void device_arguments::add_options_to(CLI::App& program) {
+  program.allow_extras();
+  program.footer("The device's own options may follow, as blysk export has them.");
+  with_options_ = &program;
+}
+
+selection device_arguments::chosen() const {
+  if (with_options_ == nullptr) return choose(device_, format_);
+  return choose(device_, format_, parse_options(with_options_->remaining()));
 }
 
 std::uint64_t positive(std::string_view name, std::string_view text) {

@@ -21,13 +21,19 @@ int run_program(int argc, char** argv, const std::string& what,
                 const std::function<void(CLI::App&)>& describe, const std::function<int()>& run);
 
 /// The arguments DEVICE and FORMAT.
-struct device_arguments {
-  std::string device, format;
-
+class device_arguments {
+ public:
   void add_to(CLI::App& program);
 
-  /// \throws std::invalid_argument for a device or format that does not exist
-  selection chosen() const { return choose(device, format); }
+  /// The device's own options besides, "--OPTION [VALUE]", which are none of the program's.
+  void add_options_to(CLI::App& program);
+
+  /// \throws std::invalid_argument for a device, format or option that does not exist
+  selection chosen() const;
+
+ private:
+  std::string device_, format_;
+  const CLI::App* with_options_ = nullptr;
 };
 
 /// \throws std::invalid_argument if the text is no decimal number above zero

@@ -12,6 +12,7 @@ if ! cmake -S "$folder" -B "$folder/build" -G Ninja "${@:2}" >"$folder/said" 2>&
   exit 1
 fi
 exports=$(ninja -C "$folder/build" -t commands sweep_verilog | grep -c ' update .*/build/rtl_verilog/') || true
-expected=$(($(grep -c '^BLYSK_DEVICE(' "$source/tb/devices/devices.def") * $(grep -c '^BLYSK_NAMED_FORMAT(' "$source/tb/formats.def")))
-echo "$exports exports for $expected devices and formats"
+variants=$(($(grep -c '^BLYSK_DEVICE(' "$source/tb/devices/devices.def") + $(cat "$source"/tb/devices/*/verilated | grep -c .)))
+expected=$((variants * $(grep -c '^BLYSK_NAMED_FORMAT(' "$source/tb/formats.def")))
+echo "$exports exports for $expected devices, those with options among them, and formats"
 [ "$exports" = "$expected" ]

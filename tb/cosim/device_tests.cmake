@@ -2,6 +2,8 @@
 # blysk_device_tests(DEVICE): all tests of a device that need its exported Verilog. What they need to know stands in the
 # device's folder tb/devices/<identifier>/:
 #   variants       a line of options for each export that the tests try besides
+#   verilated      a line of options for each export that engine verilator has besides the presets, written as the engine names
+#                  it: those that differ from the presets, in the order in which the device lists them
 #   reference.v    module `reference` with parameter F, the same ports, written by hand
 #   composed.v     module `composed` with parameter F, the same ports: the blocks of the figure, each with a formula of
 #                  composition/; the exported device is proved to be that
@@ -115,6 +117,18 @@ function(blysk_device_tests device)
       blysk_label(full verilog.${device}.variants.${format})
     endforeach()
   endif()
+
+  blysk_verilated_options(${device})
+  foreach(options IN LISTS verilated_options)
+    blysk_words_of("${options}")
+    string(REPLACE _ . suffix "${suffix}")
+    foreach(format IN LISTS blysk_formats)
+      set(prefix cosim.${device}${suffix})
+      add_test(NAME ${prefix}.lockstep.${format} COMMAND lockstep ${device} ${format} all ${words})
+      add_test(NAME ${prefix}.random.${format} COMMAND sweep_verilog ${device} ${format} 20000 ${words})
+      blysk_label_checked(${format} ${prefix}.lockstep.${format} ${prefix}.random.${format})
+    endforeach()
+  endforeach()
 
   # Verilog = SystemC after every edge, and = bit-accurate model for every write.
   foreach(format IN LISTS blysk_formats)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// lockstep DEVICE FORMAT legal|all|engines|ends: the SystemC device and its exported Verilog side by side.
+// lockstep DEVICE FORMAT legal|all|engines|ends [--OPTION [VALUE]]...: the SystemC device and its exported Verilog side by side.
 //   legal    under the same strobes, compared after every clock edge, legal codes
 //   all      the same with whatever the wires can carry
 //   engines  as engines: the same results, cycles and writes
@@ -159,6 +159,7 @@ int main(int argc, char** argv) {
         program.add_option("WHAT", what, "legal or all codes under strobes, engines, or ends")
             ->required()
             ->check(CLI::IsMember({"legal", "all", "engines", "ends"}));
+        arguments.add_options_to(program);
       },
       [&] {
         const selection asked = arguments.chosen();

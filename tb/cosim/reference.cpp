@@ -8,8 +8,9 @@
 namespace blysk::cosim {
 
 std::unique_ptr<verilator_engine> make_reference(const selection& asked) {
+  if (!asked.is_preset()) return nullptr;
   const auto table = reference_table();
-  const auto found = std::ranges::find(table, asked.folder_name(), &verilated_entry::folder);
+  const auto found = std::ranges::find(table, asked.folder_name(), &verilated_entry::name);
   return found == table.end() ? nullptr : found->make();
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// sweep_verilog DEVICE FORMAT [all|corners|beside|COUNT|ROWS.csv]: the exported Verilog, and the reference written by hand where
-// there is one, against the bit-accurate model. Exit 1 if they differ anywhere.
+// sweep_verilog DEVICE FORMAT [all|corners|beside|COUNT|ROWS.csv] [--OPTION [VALUE]]...: the exported Verilog, and the reference
+// written by hand where there is one for these options, against the bit-accurate model. Exit 1 if they differ anywhere.
 //   all      every combination of legal codes of the enumerated ports
 //   corners  those within 1024 of an end or a corner of the last of them
 //   beside   every code of the other ports at every code of the last enumerated one
@@ -173,6 +173,7 @@ int main(int argc, char** argv) {
                 "ports that "
                 "are not enumerated; a number: so many random ones; a file: its rows, raw codes in CSV")
             ->capture_default_str();
+        arguments.add_options_to(program);
       },
       [&] { return blysk::cosim::sweep(arguments.chosen(), which); });
 }

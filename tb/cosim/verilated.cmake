@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Verilog of the devices, Verilated while the project is built.
-# blysk_verilated_table(TARGET KIND [FOLDER_NAME CLASS]...): adds the table of Verilated classes, cosim::KIND_table().
+# blysk_verilated_table(TARGET KIND [NAME CLASS]...): adds the table of Verilated classes, cosim::KIND_table(). NAME is the
+# name of the Verilog's folder, and behind a blank the options of its device, if they are not the presets.
 function(blysk_verilated_table target kind)
   set(functions "")
   set(entries "")
@@ -48,38 +49,62 @@ target_compile_options(blysk_verilator PRIVATE -w)
 target_include_directories(blysk_verilator SYSTEM PUBLIC ${VERILATOR_ROOT}/include ${VERILATOR_ROOT}/include/vltstd)
 target_link_libraries(blysk_verilator PUBLIC Threads::Threads)
 
-# blysk_verilog_of(DEVICE FORMAT): sets verilog_folder, where the device's Verilog is, and verilog_files, what to depend
-# on. Checked-in formats are read from rtl_verilog/; the others, and what is not there yet, are exported into the build
-# tree.
+# blysk_verilated_options(DEVICE): sets verilated_options, the lines of the device's file `verilated`.
+function(blysk_verilated_options device)
+  string(REPLACE - _ identifier ${device})
+  set(file ${PROJECT_SOURCE_DIR}/tb/devices/${identifier}/verilated)
+  set(lines "")
+  if(EXISTS ${file})
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
+    file(STRINGS ${file} lines)
+  endif()
+  set(verilated_options "${lines}" PARENT_SCOPE)
+endfunction()
+
+# blysk_words_of(OPTIONS): sets words, the options of a device as a list, and suffix, what a name gets for them: "_stages_4" for
+# "--stages 4".
+function(blysk_words_of options)
+  separate_arguments(words UNIX_COMMAND "${options}")
+  set(words "${words}" PARENT_SCOPE)
+  string(REGEX REPLACE "[^A-Za-z0-9]+" "_" suffix "${options}")
+  set(suffix "${suffix}" PARENT_SCOPE)
+endfunction()
+
+# blysk_verilog_of(DEVICE FORMAT [OPTIONS]): sets verilog_folder, where the device's Verilog is, and verilog_files, what to
+# depend on. Checked-in formats are read from rtl_verilog/; the others, what is not there yet, and what has OPTIONS, "--energy"
+# in one text, are exported into the build tree.
 function(blysk_verilog_of device format)
   string(REPLACE - _ identifier ${device})
   set(name ${identifier}_${format})
+  blysk_words_of("${ARGN}")
   set(folder ${PROJECT_SOURCE_DIR}/rtl_verilog/${name})
   file(GLOB files CONFIGURE_DEPENDS ${folder}/*.v)
-  if(NOT format IN_LIST blysk_checked_formats OR NOT files)
-    set(folder ${PROJECT_BINARY_DIR}/rtl_verilog/${name})
+  if(NOT format IN_LIST blysk_checked_formats OR NOT files OR words)
+    set(folder ${PROJECT_BINARY_DIR}/rtl_verilog/${name}${suffix})
     set(files ${folder}/blysk_${name}.f)
   endif()
   set(verilog_folder ${folder} PARENT_SCOPE)
   set(verilog_files ${files} PARENT_SCOPE)
 endfunction()
 
-# blysk_export_verilog(DEVICE FORMAT): the command that exports into the build tree, if blysk_verilog_of() says so.
+# blysk_export_verilog(DEVICE FORMAT [OPTIONS]): the command that exports into the build tree, if blysk_verilog_of() says so.
 function(blysk_export_verilog device format)
-  blysk_verilog_of(${device} ${format})
+  blysk_verilog_of(${device} ${format} "${ARGN}")
   if(NOT verilog_folder MATCHES "^${PROJECT_BINARY_DIR}/")
     return()
   endif()
-  add_custom_command(OUTPUT ${verilog_files} COMMAND exported update ${verilog_folder} ${device} ${format}
+  blysk_words_of("${ARGN}")
+  add_custom_command(OUTPUT ${verilog_files} COMMAND exported update ${verilog_folder} ${device} ${format} ${words}
                      DEPENDS exported VERBATIM)
-  add_custom_target(verilog_${device}_${format} ALL DEPENDS ${verilog_files})
+  add_custom_target(verilog_${device}_${format}${suffix} ALL DEPENDS ${verilog_files})
 endfunction()
 
-# blysk_verilate(TARGET CLASS DEVICE FORMAT TOP SOURCE [MUTANTS] [NO_INNER] [RECORDED] [DEPENDS file...] [ARGUMENTS verilator's...])
+# blysk_verilate(TARGET CLASS DEVICE FORMAT TOP SOURCE [MUTANTS] [NO_INNER] [RECORDED] [DEPENDS file...] [ARGUMENTS verilator's...]
+#                [OPTIONS word...])
 # Adds the class that Verilator makes of module TOP of SOURCE, a Verilog file or a folder of them, with its glue to the
-# ports of DEVICE: the function cosim::make_CLASS().
+# ports of DEVICE with its OPTIONS: the function cosim::make_CLASS().
 function(blysk_verilate target class device format top source)
-  cmake_parse_arguments(PARSE_ARGV 6 arg "MUTANTS;NO_INNER;RECORDED" "" "DEPENDS;ARGUMENTS")
+  cmake_parse_arguments(PARSE_ARGV 6 arg "MUTANTS;NO_INNER;RECORDED" "" "DEPENDS;ARGUMENTS;OPTIONS")
   set(folder ${CMAKE_CURRENT_BINARY_DIR}/verilated/${class})
   set(kind "")
   if(arg_MUTANTS)
@@ -91,7 +116,7 @@ function(blysk_verilate target class device format top source)
     list(APPEND arg_ARGUMENTS --trace)
   endif()
   add_custom_command(OUTPUT ${folder}/glue.cpp ${folder}/public.vlt
-                     COMMAND verilated_glue ${device} ${format} ${class} ${top} --output ${folder} ${kind}
+                     COMMAND verilated_glue ${device} ${format} ${class} ${top} --output ${folder} ${kind} ${arg_OPTIONS}
                      DEPENDS verilated_glue VERBATIM)
   add_custom_command(OUTPUT ${folder}/all.cpp
                      COMMAND ${CMAKE_COMMAND} -E env VERILATOR_ROOT=${VERILATOR_ROOT} VERILATOR=${VERILATOR_BIN}

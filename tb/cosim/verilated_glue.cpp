@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// verilated_glue DEVICE FORMAT CLASS TOP --output FOLDER: what joins the class that Verilator makes of a Verilog module
-// with the ports of the device to cosim::verilated, as FOLDER/glue.cpp. It includes the class's code, so that the two are
-// one translation unit. FOLDER/public.vlt asks Verilator for the inner results. A file that is right already keeps its
-// time.
+// verilated_glue DEVICE FORMAT CLASS TOP --output FOLDER [--OPTION [VALUE]]...: what joins the class that Verilator makes of a
+// Verilog module with the ports of the device to cosim::verilated, as FOLDER/glue.cpp. It includes the class's code, so that
+// the two are one translation unit. FOLDER/public.vlt asks Verilator for the inner results. A file that is right already
+// keeps its time.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -224,6 +224,7 @@ int main(int argc, char** argv) {
         program.add_flag("--no-inner{false}", what.has_inner, "the module has no nets of inner results");
         program.add_flag("--mutants", what.has_mutants, "the module has an input that selects a mutant");
         program.add_flag("--recorded", what.is_recorded, "the class is made with --trace");
+        arguments.add_options_to(program);
       },
       [&] {
         const selection asked = arguments.chosen();

@@ -11,7 +11,8 @@ namespace blysk::cosim {
 
 /// A Verilated class that is linked in.
 struct verilated_entry {
-  std::string_view folder;  ///< selection::folder_name()
+  /// selection::folder_name(), and behind it the options that differ from the presets: "lighting_q8 --energy".
+  std::string_view name;
   std::unique_ptr<verilator_engine> (*make)();
 };
 

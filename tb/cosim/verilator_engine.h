@@ -41,9 +41,10 @@ class verilator_engine : public recorded_engine {
 enum class waves { off, on };
 
 /// The exported Verilog of the device in the format. All named formats of all devices are compiled in: those under
-/// rtl_verilog/ from there, the others from an export into the build tree. With waves there are those under rtl_verilog/.
+/// rtl_verilog/ from there, the others from an export into the build tree, as those with the options that a device lists for
+/// this engine. With waves there are those under rtl_verilog/.
 /// Its run() throws std::logic_error for a device without the strobe protocol.
-/// \throws std::invalid_argument for options that differ from the presets, and a format that is not compiled in
+/// \throws std::invalid_argument for other options that differ from the presets, and a format that is not compiled in
 std::unique_ptr<verilator_engine> make_verilator(const selection& asked, waves recorded = waves::off);
 
 }  // namespace blysk::cosim

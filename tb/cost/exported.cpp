@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// exported check|update DIRECTORY DEVICE FORMAT: rtl_verilog/ is what the SystemC model exports, or is made so; a
-//   directory that is right already keeps its times.
-// exported replay DIRECTORY DEVICE FORMAT [--OPTION [VALUE]]...: the export of the device with its options, and below
-//   replay/ a run of the SystemC device for a Verilog simulator to repeat.
+// exported check|update DIRECTORY DEVICE FORMAT [--OPTION [VALUE]]...: the directory holds what the SystemC model with its
+//   options exports, or is made so; one that is right already keeps its times.
+// exported replay DIRECTORY DEVICE FORMAT [--OPTION [VALUE]]...: the same export, and below replay/ a run of the SystemC
+//   device for a Verilog simulator to repeat.
 // A process elaborates one device. Exit 1 if the directory holds anything else.
 #include <fmt/format.h>
 
@@ -48,19 +48,6 @@ bool is_current(const files& exported, const files& there) {
   return same;
 }
 
-/// \param words  "--coefficient published --as-published"
-std::map<std::string, std::string> parse(const std::vector<std::string>& words) {
-  std::map<std::string, std::string> options;
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    if (!words[i].starts_with("--"))
-      throw std::invalid_argument(fmt::format("{} is not an option, expected --OPTION [VALUE]", words[i]));
-    const std::string name = words[i].substr(2);
-    const bool has_value = i + 1 < words.size() && !words[i + 1].starts_with("-");
-    options[name] = has_value ? words[++i] : "on";
-  }
-  return options;
-}
-
 int run(const std::string& action, const fs::path& directory, const selection& asked) {
   const auto device = asked.of().elaborate(asked, 0);
   const files exported = cost::annotated_export(*device, asked);
@@ -84,20 +71,15 @@ int run(const std::string& action, const fs::path& directory, const selection& a
 int main(int argc, char** argv) {
   std::string action, directory;
   device_arguments arguments;
-  CLI::App* parsed = nullptr;
   return run_program(
       argc, argv, "Compares a directory with what the SystemC model exports, or writes it",
       [&](CLI::App& program) {
-        parsed = &program;
         program.add_option("ACTION", action, "check, update or replay")
             ->required()
             ->check(CLI::IsMember({"check", "update", "replay"}));
         program.add_option("DIRECTORY", directory, "of the Verilog")->required();
         arguments.add_to(program);
-        program.allow_extras();
-        program.footer("With replay the device's own options may follow, as blysk export has them.");
+        arguments.add_options_to(program);
       },
-      [&] {
-        return run(action, directory, choose(arguments.device, arguments.format, parse(parsed->remaining())));
-      });
+      [&] { return run(action, directory, arguments.chosen()); });
 }

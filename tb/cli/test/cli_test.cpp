@@ -744,6 +744,8 @@ TEST_CASE("what cannot be brought to its end is refused, and nothing is left of 
   fails("simulate --format q10" + in + to("out.csv") + " --engine verilator --vcd " +
             quoted(folder.path("w.vcd")),
         "engine verilator has no waves of device " + kDevice + " in format q10, expected q8, q12, q16, q24");
+  fails("simulate --engine verilator --as-published" + in + to("out.csv"),
+        "engine verilator has device " + kDevice + " compiled in with its presets (");
   fails("shine",
         "'shine' is no verb, expected simulate, render, model, export, list, vectors, check, explore or "
         "settle");

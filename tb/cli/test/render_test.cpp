@@ -197,7 +197,8 @@ TEST_CASE("an energy factor is the same on the host and in hardware", "[cli][ren
     CHECK(host["nmse"].get<double>() < 0.05);  // against Blinn's picture with the factor
     CHECK(std::ranges::count(host["units"], "energy") == 1);
     for (const char* options :
-         {"--effects all", "--units systemc", "--units systemc --engine verilator",
+         {"--effects all", "--units systemc", "--units systemc --engine verilator", "--units verilator",
+          "--units verilator --engine verilator --format q16",
           "--units systemc --engine systemc --effects all", "--watch 20,18,12,4", "--threads 3"}) {
       CAPTURE(scene, options);
       const json report = rendered(folder, scene + options);
@@ -207,8 +208,13 @@ TEST_CASE("an energy factor is the same on the host and in hardware", "[cli][ren
   }
   CHECK(run_blysk(folder, "render sphere --explain --normalisation thesis")
             .out.find("; energy factor 2.28106") != std::string::npos);
-  refuses(folder, "sphere --normalisation blinn --units verilator",
-          "engine verilator has the presets compiled in");
+  for (const char* format : {"q8", "q10", "q24"}) {
+    const std::string scene = fmt::format("sphere {} --normalisation blinn --format {} ", kSmall, format);
+    rendered(folder, scene, "host.png");
+    const json report = rendered(folder, scene + "--units verilator");
+    CHECK(slurp(folder.path("p.png")) == slurp(folder.path("host.png")));
+    CHECK(report["unit_cycles"] > report["unit_rows"]);
+  }
   refuses(folder, "sphere --normalisation most",
           "normalisation most does not exist, expected none, thesis, blinn");
   refuses(folder, "sphere --normalisation blinn --as-published",
