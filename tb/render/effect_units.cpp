@@ -78,15 +78,15 @@ effect_units::effect_units(const unit_source& from, results to)
       inputs_(from.device.of().ports(from.device), port::role::data),
       has_energy_(of(from.device, port::role::data).size() > kEnergy) {}
 
-void effect_units::begin(std::uint32_t point, const coefficient_rgb& ambient) {
-  rows_.push_back({point, true, ambient, {}, 0, {}});
+void effect_units::begin(std::uint32_t point, const coefficient_rgb& ambient, bool is_grey) {
+  rows_.push_back({point, true, is_grey, ambient, {}, 0, {}});
   has_light_ = false;
 }
 
 std::uint32_t effect_units::add(const coefficient_rgb& diffuse, std::int64_t cosine) {
   if (has_light_) {
-    const std::uint32_t point = rows_.back().point;
-    rows_.push_back({point, false, {}, {}, 0, {}});
+    const row& first = rows_.back();
+    rows_.push_back(row{first.point, false, first.is_grey, {}, {}, 0, {}});
   }
   has_light_ = true;
   rows_.back().diffuse = diffuse;
@@ -107,9 +107,10 @@ void effect_units::run() {
     inputs_[kFirst].set(i, each.is_first ? 1 : 0);
     if (has_energy_) inputs_[kEnergy].set(i, each.energy);
     for (std::size_t channel = 0; channel < 3; ++channel) {
-      inputs_[kAmbient + channel].set(i, each.ambient[channel]);
-      inputs_[kDiffuse + channel].set(i, each.diffuse[channel]);
-      inputs_[kSpecular + channel].set(i, each.specular[channel]);
+      const bool is_served = each.is_grey && channel > 0;
+      inputs_[kAmbient + channel].set(i, is_served ? 0 : each.ambient[channel]);
+      inputs_[kDiffuse + channel].set(i, is_served ? 0 : each.diffuse[channel]);
+      inputs_[kSpecular + channel].set(i, is_served ? 0 : each.specular[channel]);
     }
   }
   const auto started = std::chrono::steady_clock::now();
@@ -119,9 +120,11 @@ void effect_units::run() {
     throw std::logic_error("the effect units gave another number of results than they took lights");
   // The results of a point's last light stay.
   for (std::size_t i = 0; i < rows_.size(); ++i) {
+    const row& each = rows_[i];
     for (std::size_t channel = 0; channel < 3; ++channel) {
-      to_.sums[rows_[i].point][channel] = outputs_[kSum + channel].get(i);
-      to_.channels[rows_[i].point][channel] = static_cast<std::uint8_t>(outputs_[kChannel + channel].get(i));
+      const std::size_t by = each.is_grey ? 0 : channel;
+      to_.sums[each.point][channel] = outputs_[kSum + by].get(i);
+      to_.channels[each.point][channel] = static_cast<std::uint8_t>(outputs_[kChannel + by].get(i));
     }
   }
   taken_ += rows_.size();

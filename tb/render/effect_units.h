@@ -43,7 +43,8 @@ class effect_units {
 
   /// The lights that are added from now on are those of a point.
   /// \param ambient  UQ8.8
-  void begin(std::uint32_t point, const coefficient_rgb& ambient);
+  /// \param is_grey  all terms of the point are: green and blue are given zeros, and red's results serve all three
+  void begin(std::uint32_t point, const coefficient_rgb& ambient, bool is_grey);
 
   /// Adds a light to the point.
   /// \param diffuse  UQ8.8
@@ -71,6 +72,7 @@ class effect_units {
   struct row {
     std::uint32_t point;
     bool is_first;  // of its point
+    bool is_grey;
     coefficient_rgb ambient, diffuse;
     std::int64_t cosine;
     std::array<std::int64_t, 3> specular;

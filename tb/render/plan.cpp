@@ -18,6 +18,10 @@ bool is_zero(const auto& codes) {
   return std::ranges::all_of(codes, [](auto each) { return each == 0; });
 }
 
+bool is_grey(const auto& codes) {
+  return codes[0] == codes[1] && codes[1] == codes[2];
+}
+
 std::array<std::uint8_t, 3> specular_codes(const rgb& light, const rgb& ks) {
   std::array<std::uint8_t, 3> codes{};
   for (std::size_t channel = 0; channel < 3; ++channel)
@@ -40,7 +44,7 @@ light_plan plan_light(const scene::material& of, const scene::light& from, bool 
   made.n = of.n;
   made.has_diffuse = all || !is_zero(made.diffuse);
   made.has_specular = all || !is_zero(made.specular);
-  made.is_grey = !all && made.specular[0] == made.specular[1] && made.specular[1] == made.specular[2];
+  made.is_grey = !all && is_grey(made.specular);
   return made;
 }
 
@@ -108,6 +112,7 @@ plan make_plan(const scene::world& of, effects asked, lobe_table* table, int cos
       ambient[channel] =
           coefficient_code(material.emitted[channel] + of.ambient[channel] * material.ka[channel]);
     has_ambient = has_ambient || (used[i] && !is_zero(ambient));
+    bool has_grey_terms = used[i] && !all && is_grey(ambient);
     for (std::size_t k = 0; k < of.lights.size(); ++k) {
       light_plan each = used[i] ? plan_light(material, of.lights[k], all) : light_plan{};
       if (each.has_specular) {
@@ -118,12 +123,14 @@ plan make_plan(const scene::world& of, effects asked, lobe_table* table, int cos
         exponents.insert(each.n);
       }
       has_diffuse = has_diffuse || each.has_diffuse;
+      has_grey_terms = has_grey_terms && is_grey(each.diffuse) && each.is_grey;
       if (used[i]) {
         explain(fmt::format("material '{}', light {}", printable(material.name), k + 1), each, all,
                 cos_fraction, made.reasons);
       }
       made.of_lights.push_back(each);
     }
+    made.grey_materials.push_back(has_grey_terms);
   }
   if (has_ambient) made.units.emplace_back("ambient");
   if (has_diffuse) made.units.emplace_back("diffuse");

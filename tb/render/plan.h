@@ -43,9 +43,11 @@ struct plan {
   std::size_t lights = 0;
   bool checks_triangles = false;         ///< by the inner specular check
   std::vector<coefficient_rgb> ambient;  ///< of each material, UQ8.8
-  std::vector<light_plan> of_lights;     ///< material by material, a light after the other
-  std::vector<std::string> units;        ///< that are built
-  std::vector<std::string> reasons;      ///< a line for each unit, and for each that is left out
+  std::vector<bool>
+      grey_materials;  ///< all terms of them are grey: one channel of the effect units serves three
+  std::vector<light_plan> of_lights;  ///< material by material, a light after the other
+  std::vector<std::string> units;     ///< that are built
+  std::vector<std::string> reasons;   ///< a line for each unit, and for each that is left out
 
   const light_plan& at(std::uint32_t material, std::size_t light) const {
     return of_lights[material * lights + light];

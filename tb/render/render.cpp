@@ -408,6 +408,11 @@ plan plan_of(const job& asked) {
   if (asked.units != nullptr) {
     made.reasons.push_back(fmt::format("ambient, diffuse, the sum and saturation run in {}, engine {}",
                                        asked.units->device.top_name(), asked.units->name));
+    if (const auto grey = std::count(made.grey_materials.begin(), made.grey_materials.end(), true);
+        grey > 0) {
+      made.reasons.push_back(
+          fmt::format("materials whose terms are all grey, so that red serves green and blue: {}", grey));
+    }
   }
   if (!made.has_specular() || asked.asked == effects::all) return made;
   made.checks_triangles = asked.checks_triangles && asked.shading->is_by_pixel && !asked.by_segments;

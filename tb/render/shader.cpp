@@ -36,7 +36,7 @@ void shader::add_unlit(std::uint32_t index, std::uint32_t material) {
 void shader::begin(std::uint32_t index, std::uint32_t material) {
   const coefficient_rgb& ambient = plan_.ambient[material];
   if (units_) {
-    units_->begin(index, ambient);
+    units_->begin(index, ambient, plan_.grey_materials[material]);
     return;
   }
   for (std::size_t channel = 0; channel < 3; ++channel)

@@ -257,6 +257,15 @@ TEST_CASE("the runs of processes are counted where there are any", "[cli][render
   CHECK(off["process_runs"] == 0);
   CHECK(off["delta_cycles"] == one["delta_cycles"]);
   const json both = rendered(folder, scene + "--engine systemc --units systemc");
+  CHECK(rendered(folder, scene + "--units systemc")["process_runs"] > 0);
+  CHECK(rendered(folder, scene + "--watch highlight")["process_runs"] > 0);
+  // Hosts and clocks are none of the device's blocks.
+  CHECK(both["blocks"].size() > one["blocks"].size() + 20);
+  for (const std::string block : both["blocks"]) {
+    CAPTURE(block);
+    CHECK(block.find("host") == std::string::npos);
+    CHECK(std::ranges::count(both["blocks"], json(block)) == 1);
+  }
   // A write takes two cycles: four edges of the clock, and more than one block runs after each of two.
   const auto runs = one["process_runs"].get<std::uint64_t>();
   CHECK(runs > 2 * one["cycles"].get<std::uint64_t>() + one["device_writes"].get<std::uint64_t>() * 4);
@@ -272,6 +281,22 @@ TEST_CASE("the runs of processes are counted where there are any", "[cli][render
       run_blysk(folder, "render " + scene + "--engine systemc --report " + in(folder, "q.json"));
   CHECK(counted.out.find(fmt::format("{} delta cycles, {} runs of processes\n",
                                      one["delta_cycles"].get<std::uint64_t>(), runs)) != std::string::npos);
+}
+
+TEST_CASE("a grey scene takes fewer runs of processes than a coloured one", "[cli][render]") {
+  const scratch folder;
+  folder.write("coloured.json", R"({"mesh": "sphere", "materials": {"*": {"n": 10}}})");
+  folder.write("grey.json", R"({"mesh": "sphere",
+    "materials": {"*": {"n": 10, "ka": [0.5, 0.5, 0.5], "kd": [0.5, 0.5, 0.5], "ks": [0.75, 0.75, 0.75]}}})");
+  const auto runs_of = [&](const std::string& name) {
+    const std::string scene = in(folder, name) + kSmall + "--engine systemc --units systemc ";
+    const json report = rendered(folder, scene);
+    const std::string picture = slurp(folder.path("p.png"));
+    rendered(folder, scene + "--effects all");
+    CHECK(slurp(folder.path("p.png")) == picture);
+    return report["process_runs"].get<double>();
+  };
+  CHECK(runs_of("coloured.json") > 1.3 * runs_of("grey.json"));
 }
 
 TEST_CASE("the waves of the effect units are those of what is watched", "[cli][render]") {

@@ -64,8 +64,9 @@ struct held : sc_core::sc_module {
 struct bench : sc_core::sc_module {
   sc_core::sc_signal<sc_uint<5>>& a;
   const sc_core::sc_signal<bool>& odd;
+  sc_core::sc_signal<bool> SC_NAMED(turn);
   std::mt19937_64 bits{1};
-  std::uint64_t drives = 0, rises = 0, both = 0;
+  std::uint64_t drives = 0, rises = 0, both = 0, together = 0;
 
   bench(const sc_core::sc_module_name& name, const sc_core::sc_clock& clk, sc_core::sc_signal<sc_uint<5>>& to,
         const sc_core::sc_signal<bool>& from)
@@ -78,15 +79,19 @@ struct bench : sc_core::sc_module {
     dont_initialize();
     SC_METHOD(any);
     sensitive << odd << clk;
+    SC_METHOD(once);
+    sensitive << a << turn;
   }
   using SC_CURRENT_USER_MODULE = bench;
 
   void drive() {
     ++drives;
     a.write(sc_uint<5>(bits() % 3));  // the same again in a third of the cycles
+    turn.write(!turn.read());
   }
   void rise() { ++rises; }
   void any() { ++both; }
+  void once() { ++together; }  // for two signals that change at one time
 };
 
 void run(double ns) {
@@ -125,8 +130,10 @@ TEST_CASE("the runs of processes are counted from outside", "[harness][processes
       CHECK(each->runs("host.drive") == host.drives);
       CHECK(each->runs("host.rise") == host.rises);
       CHECK(each->runs("host.any") == host.both);
+      CHECK(each->runs("host.once") == host.together);
       // One process of the clock for each edge.
-      CHECK(each->runs() == add.runs + rg.loads + rg.shows + host.drives + host.rises + host.both + edges);
+      CHECK(each->runs() ==
+            add.runs + rg.loads + rg.shows + host.drives + host.rises + host.both + host.together + edges);
     }
   };
   run(1);

@@ -217,6 +217,38 @@ TEST_CASE("the plan of a scene is what it calls for", "[render]") {
   CHECK(planned().units == std::vector<std::string>{"ambient", "saturation"});
 }
 
+TEST_CASE("a material is grey if all its terms are", "[render]") {
+  scene::world of;
+  of.surface = scene::make_sphere(8);
+  const source from(choose(devices().front()->name(), "q12"), false);
+  const auto greys = [&](effects asked = effects::automatic) {
+    return plan_of(job{.of = &of, .shading = &find_shading("phong"), .asked = asked, .device = from.of()})
+        .grey_materials;
+  };
+  const auto is_grey = [&](effects asked = effects::automatic) -> bool { return greys(asked).at(0); };
+  CHECK(!is_grey());
+  scene::material& material = of.surface.materials[0];
+  material.ka = material.kd = material.ks = {0.5, 0.5, 0.5};
+  CHECK(is_grey());
+  CHECK(!is_grey(effects::all));
+  of.lights.push_back({.at = {0, 0, 1}, .colour = {0.25, 0.25, 0.25}});
+  CHECK(is_grey());
+  for (scene::rgb* each : {&material.ka, &material.kd, &material.ks, &material.emitted, &of.ambient,
+                           &of.lights[0].colour, &of.lights[1].colour}) {
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+      const scene::rgb before = *each;
+      (*each)[channel] += 0.125;
+      CAPTURE(channel);
+      CHECK(!is_grey());
+      *each = before;
+    }
+  }
+  CHECK(is_grey());
+  // A material that no triangle has is nothing's.
+  of.surface.materials.push_back(scene::material(material));
+  CHECK(greys() == std::vector{true, false});
+}
+
 TEST_CASE("effects are exact to half a unit of their sums", "[render]") {
   CHECK(coefficient_code(1) == 255 * 256);
   CHECK(coefficient_code(2) == 255 * 256);
