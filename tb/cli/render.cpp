@@ -222,16 +222,16 @@ class asked_spans {
     } else {
       hardware_ = std::make_unique<unit_engine>(asked.spans, device);
     }
-    source_ = render::span_source{device, model_ ? model_.get() : hardware_.get(), asked.spans};
+    source_ = render::attached_device{device, model_ ? model_.get() : hardware_.get(), asked.spans};
   }
 
-  const render::span_source* source() const { return source_ ? &*source_ : nullptr; }
+  const render::attached_device* source() const { return source_ ? &*source_ : nullptr; }
   std::uint64_t cycles() const { return hardware_ ? hardware_->cycles() : 0; }
 
  private:
   std::unique_ptr<engine> model_;
   std::unique_ptr<unit_engine> hardware_;
-  std::optional<render::span_source> source_;
+  std::optional<render::attached_device> source_;
 };
 
 /// What --units asks for; nothing where the host adds up the effects.
@@ -242,16 +242,16 @@ class asked_units {
     const selection device = render::choose_effect_units(shades.format(), asked.normalisation != "none");
     render::expect_fitting({device, nullptr, asked.units}, shades);
     engine_ = std::make_unique<unit_engine>(asked.units, device);
-    source_ = render::unit_source{device, engine_.get(), asked.units};
+    source_ = render::attached_device{device, engine_.get(), asked.units};
   }
 
-  const render::unit_source* source() const { return source_ ? &*source_ : nullptr; }
+  const render::attached_device* source() const { return source_ ? &*source_ : nullptr; }
   harness::systemc_engine* systemc() { return engine_->systemc(); }
   std::uint64_t cycles() const { return engine_ ? engine_->cycles() : 0; }
 
  private:
   std::unique_ptr<unit_engine> engine_;
-  std::optional<render::unit_source> source_;
+  std::optional<render::attached_device> source_;
 };
 
 void list_modules(const std::vector<sc_core::sc_object*>& objects, std::vector<std::string>& to) {

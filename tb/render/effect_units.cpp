@@ -56,7 +56,7 @@ selection choose_effect_units(const std::string& format, bool has_energy) {
   throw std::logic_error("no device adds up effects");
 }
 
-void expect_fitting(const unit_source& units, const selection& shades) {
+void expect_fitting(const attached_device& units, const selection& shades) {
   const device_ports beside(shades);
   const std::vector<port> data = of(units.device, port::role::data);
   for (std::size_t channel = 0; channel < 3; ++channel) {
@@ -72,7 +72,7 @@ void expect_fitting(const unit_source& units, const selection& shades) {
   }
 }
 
-effect_units::effect_units(const unit_source& from, results to)
+effect_units::effect_units(const attached_device& from, results to)
     : through_(*from.through),
       to_(to),
       inputs_(from.device.of().ports(from.device), port::role::data),

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "tb/engine.h"
+#include "tb/render/attached_device.h"
 #include "tb/render/device_ports.h"
 #include "tb/render/effects/fixed.h"
 
@@ -20,15 +21,8 @@ using channel_rgb = std::array<std::uint8_t, 3>;
 /// \throws std::logic_error if there is none
 selection choose_effect_units(const std::string& format, bool has_energy = false);
 
-/// What computes the effects.
-struct unit_source {
-  selection device;
-  engine* through;   ///< of one thread
-  std::string name;  ///< of the engine
-};
-
 /// \throws std::invalid_argument if the units do not take what a device that shades points puts out
-void expect_fitting(const unit_source& units, const selection& shades);
+void expect_fitting(const attached_device& units, const selection& shades);
 
 /// Collects points with their lights, runs them, and hands out their colours.
 class effect_units {
@@ -39,7 +33,7 @@ class effect_units {
     std::span<channel_rgb> channels;  ///< the same, rounded
   };
 
-  effect_units(const unit_source& from, results to);
+  effect_units(const attached_device& from, results to);
 
   /// The lights that are added from now on are those of a point.
   /// \param ambient  UQ8.8

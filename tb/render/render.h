@@ -52,8 +52,8 @@ struct job {
   normalisation energy = normalisation::none;  ///< of the specular terms
   unsigned threads = 1;
   const device_source* device;
-  const unit_source* units = nullptr;  ///< of the effects; null: their laws on the host
-  const span_source* spans =
+  const attached_device* units = nullptr;  ///< of the effects; null: their laws on the host
+  const attached_device* spans =
       nullptr;  ///< of shading gouraud: rows of a triangle's pixels; null: in double on the host
   std::optional<watched> watch = {};
   std::optional<segments> by_segments = {};  ///< rays at the ends of segments in place of a z-buffer

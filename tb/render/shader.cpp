@@ -10,7 +10,7 @@
 namespace blysk::render {
 
 shader::shader(const std::vector<scene::light>& lights, const vec& eye, const plan& planned,
-               const device_ports& ports, engine* device, const unit_source* units, results to)
+               const device_ports& ports, engine* device, const attached_device* units, results to)
     : lights_(lights),
       eye_(eye),
       plan_(planned),

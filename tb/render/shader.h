@@ -28,7 +28,7 @@ class shader {
   /// \param device  null if the plan has no specular effect
   /// \param units   null: their laws on the host
   shader(const std::vector<scene::light>& lights, const vec& eye, const plan& planned,
-         const device_ports& ports, engine* device, const unit_source* units, results to);
+         const device_ports& ports, engine* device, const attached_device* units, results to);
 
   /// Whether any light does anything on a material; if not, its points are add_unlit().
   /// \param dark  lights that have no highlight at the point

@@ -25,7 +25,7 @@ selection choose_span_device(const std::string& format) {
   throw std::logic_error("no device draws lines between two colours");
 }
 
-span_drawer::span_drawer(const span_source& from, picture& to)
+span_drawer::span_drawer(const attached_device& from, picture& to)
     : through_(*from.through), to_(to), inputs_(from.device.of().ports(from.device), port::role::data) {}
 
 void span_drawer::add(int row, int left, int right, const colour& first, const colour& last) {

@@ -10,6 +10,7 @@
 
 #include "tb/device.h"
 #include "tb/engine.h"
+#include "tb/render/attached_device.h"
 #include "tb/render/picture.h"
 
 namespace blysk::render {
@@ -18,20 +19,13 @@ namespace blysk::render {
 /// \throws std::logic_error if there is none
 selection choose_span_device(const std::string& format);
 
-/// What draws the lines.
-struct span_source {
-  selection device;
-  engine* through;   ///< of one thread
-  std::string name;  ///< of the engine
-};
-
 /// Collects lines, draws them, and puts them into a picture.
 class span_drawer {
  public:
   using colour = std::array<std::uint8_t, 3>;
   static constexpr int kMostPixels = 1024;  ///< of a line
 
-  span_drawer(const span_source& from, picture& to);
+  span_drawer(const attached_device& from, picture& to);
 
   /// A line from (left, row) to (right, row), both included: 2 to kMostPixels pixels.
   void add(int row, int left, int right, const colour& first, const colour& last);

@@ -43,10 +43,10 @@ struct bit_units {
 
   selection device;
   std::unique_ptr<engine> model;
-  unit_source source;
+  attached_device source;
 };
 
-outcome picture_of(const scene::world& of, const device_source* shades, const unit_source* units,
+outcome picture_of(const scene::world& of, const device_source* shades, const attached_device* units,
                    const char* shading, effects asked = effects::automatic, bool by_segments = false,
                    normalisation energy = normalisation::none) {
   job wanted{.of = &of,
@@ -119,7 +119,7 @@ TEST_CASE("random scenes look the same with the effect units as a device", "[ren
 TEST_CASE("lines by a device are Gouraud's shading to two levels", "[render]") {
   const selection device = choose_span_device("q12");
   const auto model = device.of().make_bit(device);
-  const span_source lines{device, model.get(), "model"};
+  const attached_device lines{device, model.get(), "model"};
   const test::picture_source shades(choose(first_device().name(), "q12"), false);
   std::uint64_t drawn = 0;
   std::size_t others = 0;
@@ -169,7 +169,7 @@ TEST_CASE("a triangle wider than a line of the device has two in a row", "[rende
   of.view = scene::camera{.eye = {0, 0, 0.15}, .target = {0, 0, 0}};
   const selection device = choose_span_device("q18");
   const auto model = device.of().make_bit(device);
-  const span_source lines{device, model.get(), "model"};
+  const attached_device lines{device, model.get(), "model"};
   const test::picture_source shades(choose(first_device().name(), "q12"), false);
   // The last pixel of 1025 is alone, and no line.
   for (const auto& [width, in_a_row] : {std::pair{1024, 1}, std::pair{1025, 1}, std::pair{1026, 2}}) {
@@ -192,7 +192,7 @@ TEST_CASE("a triangle wider than a line of the device has two in a row", "[rende
 TEST_CASE("a row longer than a line of the device is drawn by two", "[render]") {
   const selection device = choose_span_device("q18");
   const auto model = device.of().make_bit(device);
-  const span_source lines{device, model.get(), "model"};
+  const attached_device lines{device, model.get(), "model"};
   picture to(1500, 2);
   span_drawer drawer(lines, to);
   drawer.add(1, 0, 1023, {0, 255, 7}, {255, 0, 7});
@@ -284,7 +284,7 @@ TEST_CASE("sixty-four full lights are white", "[render]") {
   of.lights.assign(kMostLights, scene::light{.at = {0, 0, 1}, .colour = {1, 1, 1}});
   const test::picture_source shades(choose(first_device().name(), "q12"), false);
   const bit_units units("q12");
-  for (const unit_source* each : {static_cast<const unit_source*>(nullptr), &units.source}) {
+  for (const attached_device* each : {static_cast<const attached_device*>(nullptr), &units.source}) {
     const outcome made = picture_of(of, shades.of(), each, "phong");
     for (std::size_t channel = 0; channel < 3; ++channel) CHECK(made.image.pixel(10, 10)[channel] == 255);
     CHECK(std::ranges::count(made.image.rgb, 255) > 3 * 150);
