@@ -96,6 +96,14 @@ class frame {
     });
   }
 
+  /// One for each thread.
+  std::vector<shader> make_shaders(unsigned threads) {
+    std::vector<shader> all;
+    for (unsigned i = 0; i < threads; ++i)
+      all.push_back(make_shader(made_.planned.has_specular() ? job_.device->engine_of(i) : nullptr));
+    return all;
+  }
+
   shader make_shader(engine* device) {
     return {
         lights_, view_.eye(), made_.planned, ports_, device, job_.units, {sums_, channels_, in_highlight_}};
@@ -142,11 +150,8 @@ class frame {
                                  job_.threads);
       }
       const std::vector<std::uint8_t> is_watched = shade_watched();
-      const bool has_device = made_.planned.has_specular();
       const unsigned threads = shading_threads();
-      std::vector<shader> shaders;
-      for (unsigned i = 0; i < threads; ++i)
-        shaders.push_back(make_shader(has_device ? job_.device->engine_of(i) : nullptr));
+      std::vector<shader> shaders = make_shaders(threads);
       std::mutex guard;
       std::size_t done = 0;
       for_each(
@@ -171,9 +176,7 @@ class frame {
   /// [T] 2.6: rays where the segments of the rows ask for them.
   void shade_segments() {
     const unsigned threads = shading_threads();
-    std::vector<shader> shaders;
-    for (unsigned i = 0; i < threads; ++i)
-      shaders.push_back(make_shader(made_.planned.has_specular() ? job_.device->engine_of(i) : nullptr));
+    std::vector<shader> shaders = make_shaders(threads);
     std::optional<ray_caster> rays;
     timed("visibility", [&] { rays.emplace(world_.surface, view_, job_.width, job_.height); });
     const auto trace = [&](std::span<const std::uint32_t> pixels) {
