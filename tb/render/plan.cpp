@@ -48,6 +48,21 @@ light_plan plan_light(const scene::material& of, const scene::light& from, bool 
   return made;
 }
 
+/// Where the lobe begins, and what its results are multiplied by.
+void add_lobe(lobe_table* table, int cos_fraction, normalisation by, light_plan& each) {
+  each.lobe_begin = table->begin(each.n);
+  each.below_lobe =
+      std::ldexp(static_cast<double>(std::max<std::int64_t>(0, each.lobe_begin - 1)), -cos_fraction);
+  each.energy = energy_of(by, each.n, cos_fraction);
+}
+
+coefficient_rgb ambient_of(const scene::material& of, const rgb& light) {
+  coefficient_rgb made{};
+  for (std::size_t channel = 0; channel < 3; ++channel)
+    made[channel] = coefficient_code(of.emitted[channel] + light[channel] * of.ka[channel]);
+  return made;
+}
+
 /// What is said of a material under a light.
 void explain(const std::string& what, const light_plan& of, bool all, int cos_fraction,
              std::vector<std::string>& to) {
@@ -107,19 +122,14 @@ plan make_plan(const scene::world& of, effects asked, lobe_table* table, int cos
   bool has_diffuse = false;
   for (std::size_t i = 0; i < used.size(); ++i) {
     const scene::material& material = of.surface.materials[i];
-    coefficient_rgb& ambient = made.ambient.emplace_back();
-    for (std::size_t channel = 0; channel < 3; ++channel)
-      ambient[channel] =
-          coefficient_code(material.emitted[channel] + of.ambient[channel] * material.ka[channel]);
+    const coefficient_rgb ambient = ambient_of(material, of.ambient);
+    made.ambient.push_back(ambient);
     has_ambient = has_ambient || (used[i] && !is_zero(ambient));
     bool has_grey_terms = used[i] && !all && is_grey(ambient);
     for (std::size_t k = 0; k < of.lights.size(); ++k) {
       light_plan each = used[i] ? plan_light(material, of.lights[k], all) : light_plan{};
       if (each.has_specular) {
-        each.lobe_begin = table->begin(each.n);
-        each.below_lobe =
-            std::ldexp(static_cast<double>(std::max<std::int64_t>(0, each.lobe_begin - 1)), -cos_fraction);
-        each.energy = energy_of(by, each.n, cos_fraction);
+        add_lobe(table, cos_fraction, by, each);
         exponents.insert(each.n);
       }
       has_diffuse = has_diffuse || each.has_diffuse;
