@@ -116,6 +116,34 @@ std::vector<std::uint32_t> welded(const std::vector<vec>& positions) {
   return first;
 }
 
+/// The faces that have a corner at a place, one list after the other.
+class faces_by_place {
+ public:
+  faces_by_place(const std::vector<vec>& positions, const std::vector<triangle>& triangles)
+      : place_(welded(positions)), begins_(positions.size() + 1, 0) {
+    for (const triangle& each : triangles) {
+      for (const std::uint32_t index : each.position) ++begins_[place_[index] + 1];
+    }
+    std::partial_sum(begins_.begin(), begins_.end(), begins_.begin());
+    std::vector<std::uint32_t> ends(begins_.begin(), begins_.end() - 1);
+    faces_.resize(begins_.back());
+    for (std::uint32_t i = 0; i < triangles.size(); ++i) {
+      for (const std::uint32_t index : triangles[i].position) faces_[ends[place_[index]]++] = i;
+    }
+  }
+
+  /// \param position  of a corner
+  std::span<const std::uint32_t> of(std::uint32_t position) const {
+    const std::uint32_t at = place_[position];
+    return std::span(faces_).subspan(begins_[at], begins_[at + 1] - begins_[at]);
+  }
+
+ private:
+  std::vector<std::uint32_t> place_;   // of each position: the first of the equal ones
+  std::vector<std::uint32_t> begins_;  // of the list of each place, and the end of the last one
+  std::vector<std::uint32_t> faces_;
+};
+
 }  // namespace
 
 void mesh_builder::append(const corner& a, const corner& b, const corner& c, std::uint32_t material,
@@ -168,54 +196,43 @@ void mesh_builder::turn_outwards() {
 }
 
 void mesh_builder::compute_normals(std::vector<std::string>& messages) {
-  constexpr double kCrease = 0.5;             // cos of 60 degrees
-  constexpr std::uint32_t kMostFaces = 1000;  // of a place where each is compared with each
   const auto lacks = [](const triangle& of) {
     return std::ranges::find(of.normal, kNoNormal) != of.normal.end();
   };
   if (std::ranges::none_of(triangles_, lacks)) return;
   std::vector<vec> areas;
   for (const triangle& each : triangles_) areas.push_back(area_of(each));
-  // The faces around each place, one list after the other.
-  const std::vector<std::uint32_t> place = welded(positions);
-  std::vector<std::uint32_t> begins(positions.size() + 1, 0);
-  for (const triangle& each : triangles_) {
-    for (const std::uint32_t index : each.position) ++begins[place[index] + 1];
-  }
-  std::partial_sum(begins.begin(), begins.end(), begins.begin());
-  std::vector<std::uint32_t> ends(begins.begin(), begins.end() - 1);
-  std::vector<std::uint32_t> faces(begins.back());
-  for (std::uint32_t i = 0; i < triangles_.size(); ++i) {
-    for (const std::uint32_t index : triangles_[i].position) faces[ends[place[index]]++] = i;
-  }
-  const auto shares = [&](std::uint32_t face, std::uint32_t other, bool few) {
-    if (face == other) return true;
-    if (smoothing_[face] != smoothing_[other] || smoothing_[face] == kFlat) return false;
-    return smoothing_[face] != kUnsaid || !few ||
-           dot(golden::normalised(areas[face]), golden::normalised(areas[other])) > kCrease;
-  };
+  const faces_by_place around(positions, triangles_);
   std::size_t count = 0;
   for (std::uint32_t i = 0; i < triangles_.size(); ++i) {
     for (std::size_t k = 0; k < 3; ++k) {
       std::uint32_t& normal = triangles_[i].normal[k];
       if (normal != kNoNormal) continue;
-      const std::uint32_t at = place[triangles_[i].position[k]];
-      const bool few = ends[at] - begins[at] <= kMostFaces;
-      vec sum{0, 0, 0};
-      if (few) {
-        for (std::uint32_t j = begins[at]; j < ends[at]; ++j) {
-          if (shares(i, faces[j], few)) sum = sum + areas[faces[j]];
-        }
-      } else {
-        sum = areas[i];
-      }
       normal = static_cast<std::uint32_t>(normals.size());
-      const vec mean = golden::normalised(sum);
+      const vec mean = golden::normalised(smooth_area(i, around.of(triangles_[i].position[k]), areas));
       normals.push_back(dot(mean, mean) > 0 ? mean : golden::normalised(areas[i]));
       ++count;
     }
   }
   messages.push_back(fmt::format("{} normals computed, as the file has none there", count));
+}
+
+vec mesh_builder::smooth_area(std::uint32_t face, std::span<const std::uint32_t> around,
+                              const std::vector<vec>& areas) const {
+  constexpr double kCrease = 0.5;           // cos of 60 degrees
+  constexpr std::size_t kMostFaces = 1000;  // each is compared with each
+  if (around.size() > kMostFaces) return areas[face];
+  const auto is_smooth_with = [&](std::uint32_t other) {
+    if (face == other) return true;
+    if (smoothing_[face] != smoothing_[other] || smoothing_[face] == kFlat) return false;
+    return smoothing_[face] != kUnsaid ||
+           dot(golden::normalised(areas[face]), golden::normalised(areas[other])) > kCrease;
+  };
+  vec sum{0, 0, 0};
+  for (const std::uint32_t other : around) {
+    if (is_smooth_with(other)) sum = sum + areas[other];
+  }
+  return sum;
 }
 
 mesh mesh_builder::finish(std::vector<std::string>& messages) && {

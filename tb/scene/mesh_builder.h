@@ -49,6 +49,10 @@ class mesh_builder {
   void turn_outwards();
   void compute_normals(std::vector<std::string>& messages);
 
+  /// The areas of the faces around a corner that its face meets smoothly, added up.
+  vec smooth_area(std::uint32_t face, std::span<const std::uint32_t> around,
+                  const std::vector<vec>& areas) const;
+
   std::vector<triangle> triangles_;
   std::vector<std::int32_t> smoothing_;  // of the triangles
   std::size_t dropped_ = 0;
