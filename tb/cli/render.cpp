@@ -677,7 +677,7 @@ void add_render(CLI::App& program) {
   verb->add_option("--exponent", asked->exponent, "of all materials, in place of their own")
       ->check(whole_number(1, 1000));
   verb->add_option("--density", asked->density, "of a built-in shape's mesh")
-      ->check(whole_number(2, scene::kMostDensity));
+      ->check(whole_number(scene::kLeastDensity, scene::kMostDensity));
   verb->add_option("--threads", asked->threads, "of the host")
       ->check(whole_number(1, 256))
       ->capture_default_str();

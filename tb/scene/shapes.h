@@ -22,6 +22,8 @@ const std::vector<shape>& shapes();
 /// nullptr if there is none of that name
 const shape* find_shape(std::string_view name);
 
+/// With less a sphere has no area.
+inline constexpr int kLeastDensity = 2;
 inline constexpr int kMostDensity = 1000;
 
 /// Radius 1: `density` rings of twice as many quadrangles.

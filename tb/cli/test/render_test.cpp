@@ -510,11 +510,13 @@ TEST_CASE("a bad scene is one line that names file and line", "[cli][render]") {
   refuses_text(
       "a.json",
       R"({"mesh": "sphere", "density": )" + std::string(200'000, '[') + std::string(200'000, ']') + "}",
-      ": density: is an array, expected a number in [1, ");
+      ": density: is an array, expected a number in [2, ");
   refuses_text("a.json", R"({"mesh": "sphere", ")" + std::string(100'000, 'x') + "\": 1}",
                ": the file: has '" + std::string(40, 'x') + "...', expected mesh");
   refuses_text("a.json", R"({"mesh": "sphere", "density": ")" + std::string(100'000, 'x') + "\"}",
-               ": density: is \"" + std::string(39, 'x') + "..., expected a number in [1, ");
+               ": density: is \"" + std::string(39, 'x') + "..., expected a number in [2, ");
+  refuses_text("a.json", R"({"mesh": "sphere", "density": 1})",
+               ": density: is 1, expected a number in [2, 1000]");
   refuses_text("a.json", R"({"mesh": 1e999})", ": has a number beyond 1.8e308, expected a scene");
   refuses_text("a.json", "[]", ": the file: is array, expected an object");
   refuses_text("a.json", R"({"lights": []})", ": the file: has no mesh, expected its name");
