@@ -257,8 +257,7 @@ class asked_units {
 void list_modules(const std::vector<sc_core::sc_object*>& objects, std::vector<std::string>& to) {
   for (const sc_core::sc_object* each : objects) {
     if (dynamic_cast<const sc_core::sc_module*>(each) == nullptr) continue;
-    if (each->get_child_objects().empty() || !std::string_view(each->name()).starts_with("host"))
-      to.emplace_back(each->name());
+    if (!std::string_view(each->name()).starts_with("host")) to.emplace_back(each->name());
     list_modules(each->get_child_objects(), to);
   }
 }
