@@ -387,6 +387,25 @@ render::inner_colours inner_colours_of(const std::string& name) {
   throw usage_error(fmt::format("inner colours {} do not exist", printable(name)));
 }
 
+/// What the command line says of a picture, its devices apart.
+void set_options(const options& asked, render::job& job) {
+  set_size(asked, job);
+  if (asked.perspective != "corrected" && asked.perspective != "screen")
+    throw usage_error(
+        fmt::format("perspective {} does not exist, expected corrected or screen", asked.perspective));
+  job.is_corrected = asked.perspective == "corrected";
+  job.asked = asked.effects == "all" ? render::effects::all : render::effects::automatic;
+  job.checks_triangles = asked.inner_check == "on";
+  job.threads = asked.threads;
+  if (asked.renderer != "segments") return;
+  job.by_segments = asked.by_segments;
+  job.by_segments->measure =
+      asked.segment_measure == "rgb" ? render::colour_measure::rgb : render::colour_measure::cie76;
+  job.by_segments->inner = inner_colours_of(asked.segment_inner);
+  if (!job.shading->is_by_pixel || !asked.watch.empty())
+    throw usage_error("renderer segments traces pixels, expected shading phong and no --watch");
+}
+
 /// The files that were asked for: opened first, so that none is written if one cannot be.
 class result_files {
  public:
@@ -497,23 +516,8 @@ void run(const CLI::App& verb, options asked) {
                   .device = &source,
                   .units = units.source(),
                   .spans = spans.source()};
-  set_size(asked, job);
-  if (asked.perspective != "corrected" && asked.perspective != "screen")
-    throw usage_error(
-        fmt::format("perspective {} does not exist, expected corrected or screen", asked.perspective));
-  job.is_corrected = asked.perspective == "corrected";
-  job.asked = asked.effects == "all" ? render::effects::all : render::effects::automatic;
-  job.checks_triangles = asked.inner_check == "on";
+  set_options(asked, job);
   job.energy = energy;
-  if (asked.renderer == "segments") {
-    job.by_segments = asked.by_segments;
-    job.by_segments->measure =
-        asked.segment_measure == "rgb" ? render::colour_measure::rgb : render::colour_measure::cie76;
-    job.by_segments->inner = inner_colours_of(asked.segment_inner);
-    if (!job.shading->is_by_pixel || !asked.watch.empty())
-      throw usage_error("renderer segments traces pixels, expected shading phong and no --watch");
-  }
-  job.threads = asked.threads;
   const auto watch = watch_of(asked, job);
   const auto around = [&] {
     render::circumstances in{asked.scene,      asked.engine,
