@@ -215,7 +215,8 @@ read_world read_scene_file(const std::string& path, const std::string& text, int
     name = (std::filesystem::path(path).parent_path() / name).string();
     if (name.ends_with(".json")) mesh_name->fail("is a scene, expected a mesh");
   }
-  if (density == 0 && find("density") != nullptr) density = find("density")->integer(kLeastDensity, kMostDensity);
+  if (density == 0 && find("density") != nullptr)
+    density = find("density")->integer(kLeastDensity, kMostDensity);
   read_world read = read_scene(name, density);
   world& made = read.of;
   for (const auto& [key, value] : members) {
