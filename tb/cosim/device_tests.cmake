@@ -120,7 +120,7 @@ function(blysk_device_tests device)
 
   blysk_verilated_options(${device})
   foreach(options IN LISTS verilated_options)
-    blysk_words_of("${options}")
+    blysk_option_words("${options}")
     string(REPLACE _ . suffix "${suffix}")
     foreach(format IN LISTS blysk_formats)
       set(prefix cosim.${device}${suffix})
