@@ -3,62 +3,22 @@
 // x = -n log2 c, brdf = 2^-x. x_7 is x behind cut 7, or behind the last one before level 7. See tb/cosim/composition.
 `define STAGES 8
 `include "pipelined.vh"
+`include "logarithm.vh"
 
-  // The segments of f are 2^-I long, those of the fraction of x 2^-J. Fraction bits of the memories' words, of what is
-  // cut from the lines, of the logarithm, and of what is kept of x; bits of the count of zeros and of a shift.
-  localparam I = F / 2 - 2;
-  localparam J = F / 2 - 1;
-  localparam W = F + 4;
-  localparam V = F + 3;
-  localparam K = 2 * F + 1 < F + 12 ? 2 * F + 1 : F + 12;
-  localparam P = F + 3;
-  localparam Z = $clog2(F);
-  localparam S = $clog2(F + 3);
-  // Places of 1 + f and of x below a segment; bits of a change: no line falls by 2^-(I + 1) or 2^-J.
-  localparam PI = F - 1 - I;
-  localparam PJ = P - J;
-  localparam CI = W - I;
-  localparam CJ = W - J + 1;
-
-  wire [1:0] two;
-  wire one, zero, is_zero, is_zero_7, is_off, is_off_11;
+  wire is_zero_7, is_off_11;
   wire [9:0] n_6;
-  wire [F:0] mantissa, rounded, gated;
-  wire [Z-1:0] zeros, zeros_5;
-  wire [F+1:0] minus_mantissa;
-  wire [F-1:0] distance, distance_4;
-  wire [I-1:0] ratio_segment;
-  wire [PI-1:0] ratio_place, ratio_place_2;
-  wire [W:0] ratio_begin, ratio_begin_3, power_begin, power_begin_9;
-  wire [CI-1:0] ratio_change, ratio_change_2;
-  wire [CI+PI-1:0] ratio_product, ratio_product_3;
-  wire [W+PI:0] ratio_line;
-  wire [V:0] ratio, ratio_4, power, shifted;
-  wire [F+V:0] log_product;
-  wire [K:0] log_fraction;
-  wire [Z+K-1:0] log, log_6;
-  wire [Z+K+9:0] x, x_7;
-  wire [Z+9-S:0] above;
-  wire [S-1:0] places, places_10;
-  wire [J-1:0] power_segment;
-  wire [PJ-1:0] power_place;
-  wire [CJ-1:0] power_change;
-  wire [CJ+PJ-1:0] power_product, power_product_9;
-  wire [W+PJ:0] power_line;
-
-  wired #(.Y(2), .VALUE(2)) node2 (.y_o(two));
-  wired #(.VALUE(1)) carry_f (.y_o(one));
-  wired #(.VALUE(0)) ground (.y_o(zero));
-
-  // -log2 c = z + (1 - f) r(f)
-  normaliser #(.F(F), .Z(Z)) norm (.a_i(c), .m_o(mantissa), .zeros_o(zeros), .zero_o(is_zero));
-  inverters #(.A(F + 1), .Y(F + 2)) inv_f (.a_i(mantissa), .y_o(minus_mantissa));
-  adder #(.A(2), .AU(F - 1), .B(F + 2), .BS(1), .S(F)) add_f
-      (.a_i(two), .b_i(minus_mantissa), .carry_i(one), .s_o(distance));
-  field #(.A(F + 1), .LOW(PI), .Y(I)) index_ratio (.a_i(mantissa), .y_o(ratio_segment));
-  field #(.A(F + 1), .Y(PI)) place_ratio (.a_i(mantissa), .y_o(ratio_place));
-  memory #(.A(I), .Y(W + 1)) rom_ratio (.a_i(ratio_segment), .y_o(ratio_begin));
-  memory #(.A(I), .Y(CI)) rom_ratio_change (.a_i(ratio_segment), .y_o(ratio_change));
+  wire [F:0] gated;
+  wire [Z-1:0] zeros_5;
+  wire [F-1:0] distance_4;
+  wire [PI-1:0] ratio_place_2;
+  wire [W:0] ratio_begin_3, power_begin_9;
+  wire [CI-1:0] ratio_change_2;
+  wire [CI+PI-1:0] ratio_product_3;
+  wire [V:0] ratio_4;
+  wire [Z+K-1:0] log_6;
+  wire [Z+K+9:0] x_7;
+  wire [S-1:0] places_10;
+  wire [CJ+PJ-1:0] power_product_9;
 
   pipe #(.D(CI)) pipe_ratio_change (.clk(clk), .rst_n(rst_n), .go_i(go), .d_i(ratio_change), .q_o(ratio_change_2));
   pipe #(.D(PI)) pipe_ratio_place (.clk(clk), .rst_n(rst_n), .go_i(go), .d_i(ratio_place), .q_o(ratio_place_2));
