@@ -58,20 +58,57 @@ constexpr std::uint64_t arcsine_ratio(std::uint64_t u) {
   return sum;
 }
 
+/// cos y for first = 1: 1 - y^2/(1 2) (1 - y^2/(3 4) (...)); sin(y) / y for first = 2: 1 - y^2/(2 3) (1 - y^2/(4 5) (...)).
+/// \param y  in [0, pi/4]
+constexpr std::uint64_t sine_series(std::uint64_t y, std::uint64_t first) {
+  const std::uint64_t square = unit_product(y, y);
+  std::uint64_t sum = kUnity59;
+  for (std::uint64_t j = first + 20; j > first; j -= 2)
+    sum = kUnity59 - unit_product(square, sum) / ((j - 2) * (j - 1));
+  return sum;
+}
+
 /// cos(pi/2 place / 2^bits). \param place  0..2^bits - 1   \param bits  1..32
 constexpr std::uint64_t cosine_of_place(std::uint64_t place, int bits) {
   const std::uint64_t end = std::uint64_t(1) << bits;
   const bool is_flat = 2 * place <= end;  // up to pi/4; beyond it the sine of what is left
   const std::uint64_t shown = is_flat ? place : end - place;
   const std::uint64_t y = static_cast<std::uint64_t>((rom_wide(kHalfPi59) * shown) >> bits);
-  const std::uint64_t square = unit_product(y, y);
-  std::uint64_t sum =
-      kUnity59;  // 1 - y^2/(1 2) (1 - y^2/(3 4) (...)), or 1 - y^2/(2 3) (1 - y^2/(4 5) (...))
-  for (std::uint64_t j = 20; j >= 2; j -= 2) {
-    const std::uint64_t divisor = is_flat ? (j - 1) * j : j * (j + 1);
-    sum = kUnity59 - unit_product(square, sum) / divisor;
+  return is_flat ? sine_series(y, 1) : unit_product(y, sine_series(y, 2));
+}
+
+/// 2 sin^2(pi/4 x) / x, 0 at 0. \param x  up to 31
+constexpr std::uint64_t squared_sine_ratio(std::uint64_t x) {
+  if (x == 0) return 0;
+  const std::uint64_t rest = x % (4 * kUnity59);  // the square has the period 4, and is even
+  const std::uint64_t folded = rest <= 2 * kUnity59 ? rest : 4 * kUnity59 - rest;
+  const bool is_flat = folded <= kUnity59;  // up to pi/4; beyond it the cosine of what is left
+  const std::uint64_t y = unit_product(is_flat ? folded : 2 * kUnity59 - folded, kHalfPi59) / 2;
+  const std::uint64_t sine = unit_product(y, sine_series(y, 2));
+  if (x <= kUnity59) return 2 * unit_product(sine, quotient_59(sine, x));  // keeps its digits for small x
+  const std::uint64_t square = unit_product(sine, sine);
+  return quotient_59(2 * (is_flat ? square : kUnity59 - square), x);
+}
+
+/// Integral from 0 to pi/2 of cos^power(y) sin(b y) dy. cos^power as a sum of cosines, and the products as sums of sines:
+/// the sum over j of C(power, j) 2^-power 2 sin^2(pi/4 x)/x, x = b + power - 2 j.
+/// \param power  1..15   \param b  up to 2
+constexpr std::uint64_t lobe_moment(std::uint64_t power, std::uint64_t b) {
+  rom_wide above = 0;
+  rom_wide below = 0;         // of negative x, for which a term is negative
+  std::uint64_t choices = 1;  // C(power, j)
+  for (std::uint64_t j = 0; j <= power; ++j) {
+    const std::uint64_t from_b = 2 * j <= power ? (power - 2 * j) * kUnity59 : (2 * j - power) * kUnity59;
+    if (2 * j <= power) {
+      above += rom_wide(choices) * squared_sine_ratio(b + from_b);
+    } else if (from_b <= b) {
+      above += rom_wide(choices) * squared_sine_ratio(b - from_b);
+    } else {
+      below += rom_wide(choices) * squared_sine_ratio(from_b - b);
+    }
+    choices = choices * (power - j) / (j + 1);
   }
-  return is_flat ? sum : unit_product(y, sum);
+  return static_cast<std::uint64_t>((above - below + (rom_wide(1) << (power - 1))) >> power);
 }
 
 }  // namespace blysk

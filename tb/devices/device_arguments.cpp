@@ -46,20 +46,31 @@ std::string values_of(const option& own, purpose is_for) {
   return text;
 }
 
-/// Devices that take the same values are named together.
+/// Devices that say the same of it and take the same values are named together.
 std::string help_of(const shared_option& of, purpose is_for) {
-  std::string text = of.first().help;
-  if (is_for == purpose::formula && of.first().is_wired) text += "; not for engine golden";
-  std::vector<std::pair<std::string, std::vector<std::string>>> groups;
+  struct group {
+    std::string help, values, devices;
+  };
+  std::vector<group> groups;
   for (const auto& [device, own] : of.owners) {
+    std::string help = own.help;
+    if (is_for == purpose::formula && own.is_wired) help += "; not for engine golden";
     const std::string values = values_of(own, is_for);
-    auto known = std::ranges::find(groups, values, [](const auto& group) { return group.first; });
-    if (known == groups.end()) known = groups.insert(groups.end(), {values, {}});
-    known->second.push_back(device);
+    const auto known = std::ranges::find_if(
+        groups, [&](const group& each) { return each.help == help && each.values == values; });
+    if (known == groups.end()) {
+      groups.push_back(group{help, values, device});
+    } else {
+      known->devices += ", " + device;
+    }
   }
-  for (const auto& [values, names] : groups)
-    text += fmt::format("{}{} (of {})", &values == &groups.front().first ? "" : ";", values,
-                        fmt::join(names, ", "));
+  std::string text;
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    const auto& [help, values, names] = groups[i];
+    if (i > 0) text += values.empty() || help != groups[i - 1].help ? "; " : ";";
+    if (i == 0 || help != groups[i - 1].help) text += help;
+    text += fmt::format("{} (of {})", values, names);
+  }
   return text;
 }
 
@@ -80,20 +91,22 @@ void add_device_arguments(CLI::App& verb, asked_device& arguments, purpose is_fo
       ->capture_default_str();
   for (const shared_option& each : all_options()) {
     const std::string& name = each.first().name;
-    if (each.first().is_flag()) {
+    const auto is_flag = [](const shared_option::owner& of) { return of.own.is_flag(); };
+    if (std::ranges::all_of(each.owners, is_flag)) {
       verb.add_flag_callback(
           "--" + name, [&arguments, name] { arguments.options[name] = "on"; }, help_of(each, is_for));
-    } else {
-      verb.add_option_function<std::string>(
-          "--" + name,
-          [&arguments, name](const std::string& value) {
-            if (value.starts_with("--"))
-              throw std::invalid_argument(
-                  fmt::format("--{} is followed by {}, expected a value", name, value));
-            arguments.options[name] = value;
-          },
-          help_of(each, is_for));
+      continue;
     }
+    CLI::Option* const added = verb.add_option_function<std::string>(
+        "--" + name,
+        [&arguments, name](const std::string& value) {
+          if (value.starts_with("--"))
+            throw std::invalid_argument(fmt::format("--{} is followed by {}, expected a value", name, value));
+          arguments.options[name] = value.empty() ? "on" : value;
+        },
+        help_of(each, is_for));
+    // A flag of some device has no value.
+    if (std::ranges::any_of(each.owners, is_flag)) added->expected(0, 1);
   }
 }
 

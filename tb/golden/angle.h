@@ -92,6 +92,16 @@ Real angle_coefficient_exact(const Real& n, const Real& k, const Real& q) {
   return scale / (pi<Real>() * angle_moment(k, scale, Real(pi<Real>() / 2)));
 }
 
+/// 1 / (8 pi integral from 0 to angle_limit, at most pi/2, of cos^k(angle_scale x) sin x dx): keeps the reflectance at or below
+/// 1 at every incidence, with x from the half vector and from the mirror direction.   docs/numerics.md
+template <class Real>
+Real angle_coefficient_safe(const Real& n, const Real& k, const Real& q) {
+  using std::min;
+  const Real scale = angle_scale(n, k, q);
+  const Real end = pi<Real>() / 2 * min(scale, Real(1));
+  return scale / (8 * pi<Real>() * angle_moment(k, Real(2 * scale), end));
+}
+
 /// Fitted normalisation, one formula for q in [0.1, 0.4], another for q in [0.5, 0.9].   [A]
 /// The gap between them, and n <= k, are outside the fit.
 template <class Real>

@@ -119,6 +119,10 @@ double coefficient_of(double n, double k, double q) {
   return angle_coefficient_exact(n, k, q);
 }
 
+double safe_coefficient_of(double n, double k, double q) {
+  return angle_coefficient_safe(n, k, q);
+}
+
 double checked_angle_coefficient_fitted(inputs_t in) {
   require_count(in, 3);
   const auto [n, k, q] = std::array{in[0], in[1], in[2]};
@@ -350,6 +354,9 @@ constexpr std::array kSingleModels{
           "Int = integral from 0 to gran of cos^k(acos(q^(1/k)) / acos(q^(1/n)) x) cos x sin x dx",
           "[A], Int", checked_level<integral_of>},
     model{"angle-coef-exact", "n,k,q", "1 / (2 pi Int(n, k, q))", "[A], coef", checked_level<coefficient_of>},
+    model{"angle-coef-safe", "n,k,q",
+          "1 / (8 pi integral from 0 to gran of cos^k(acos(q^(1/k)) / acos(q^(1/n)) x) sin x dx)",
+          "docs/numerics.md", checked_level<safe_coefficient_of>},
     model{"angle-coef-fitted", "n,k,q",
           "0.608 n (q - 0.193)/(2 q + 2 k) + 0.161 n + 0.284, or 0.743 q (0.167 n - 0.0133 k n)/k + 0.167 n "
           "+ 0.245",

@@ -10,19 +10,9 @@
 
 namespace blysk {
 
-/// Specular device of patent UA 71489 with the function of [A]: the angle from the lobe's axis runs along a scan line.
-///   angle of pixel i = start + i step,   brdf = cos^k(factor |angle|), 0 where factor |angle| >= pi/2
-///   factor = acos(Q^(1/k)) / acos(Q^(1/n)) for n > k; for n <= k the factor is 1 and the power n: cos^n itself
-///   out_o = brdf intensity
-/// Instances are called by the ordinal numbers that [P] gives the parts of UA 71489 (rg4 is the fourth register). mag4,
-/// limit4 and quant2 are not in the figure: it says nothing of widths and of angles below 0.
-///
-/// Formats  Formats: an angle_formats.
-/// Timing   takes its inputs at a rising edge of clk that sees start_i and ready_o at one; two cycles later the first pixel
-///          is at the output; valid_o is one for count_i cycles, one pixel each.
-/// Reset    rst_n low at a rising edge of clk: ready, all registers 0.
+/// The parts of patent UA 71489; what derives from it takes the output of rom1 and drives the net brdf.
 template <class Formats>
-struct angle : sc_core::sc_module {
+struct angle_path : sc_core::sc_module {
   template <class Q>
   using in = sc_core::sc_in<typename Q::raw_t>;
   template <class Q>
@@ -91,7 +81,7 @@ struct angle : sc_core::sc_module {
   };
 
   /// \param words  of Formats' widths
-  angle(const sc_core::sc_module_name& name, const contents& words)
+  angle_path(const sc_core::sc_module_name& name, const contents& words)
       : sc_core::sc_module(name),
         dec("dec", words.powers),
         ground("ground", 0),
@@ -118,7 +108,7 @@ struct angle : sc_core::sc_module {
     mul2.a_i(limited);        mul2.b_i(factor);                                              mul2.p_o(turned);
     quant2.a_i(turned);                                                                      quant2.y_o(place);
     dec.n_i(n);                                                                              dec.part_o(part);
-    rom1.part_i(part);        rom1.a_i(place);                                               rom1.y_o(brdf);
+    rom1.part_i(part);        rom1.a_i(place);
     mul1.a_i(brdf);           mul1.b_i(intensity);                                           mul1.p_o(out_o);
     // clang-format on
   }
@@ -126,7 +116,7 @@ struct angle : sc_core::sc_module {
   /// The ports and what they are for; [P] gives them no numbers. ready_o is the output "end" of the figure.
   template <class Reader>
   static void pins(Reader& reader) {
-    using d = angle;
+    using d = angle_path;
     reader.clock(&d::clk, {"clk", "", "clk", "clock"});
     reader.reset(&d::rst_n, {"rst_n", "", "rst_n", "synchronous, active low"});
     reader.data(&d::n_i, {"n_i", "", "exponent", "n, to register 5"}, typename Formats::n{}, "n");
@@ -142,8 +132,9 @@ struct angle : sc_core::sc_module {
     reader.ready(&d::ready_o, {"ready_o", "", "ready", "the line has ended, start_i takes the next"});
     reader.inner_result(&d::current_angle, {"current_angle", "", "angle", "angle of the pixel, rad"},
                         typename Formats::angle{}, "angle");
-    reader.inner_result(&d::brdf, {"brdf", "", "reflectance", "what ROM 1 gives"}, typename Formats::brdf{},
-                        "brdf");
+    const char* const reflectance =
+        Formats::has_energy ? "what ROM 1 gives, times its factor" : "what ROM 1 gives";
+    reader.inner_result(&d::brdf, {"brdf", "", "reflectance", reflectance}, typename Formats::brdf{}, "brdf");
     reader.result(&d::out_o, {"out_o", "", "out_intensity", "intensity of the pixel"},
                   typename Formats::out{}, "out");
     reader.valid(&d::valid_o, {"valid_o", "", "valid", "a pixel is at the output"});
@@ -154,6 +145,59 @@ struct angle : sc_core::sc_module {
     return std::tie(control, rg1, rg2, rg3, rg4, rg5, cnt, dec, ground, add4, mux, mag4, limit4, rom2, mul2,
                     quant2, rom1, mul1);
   }
+};
+
+/// Specular device of patent UA 71489 with the function of [A]: the angle from the lobe's axis runs along a scan line.
+///   angle of pixel i = start + i step,   brdf = cos^k(factor |angle|), 0 where factor |angle| >= pi/2
+///   factor = acos(Q^(1/k)) / acos(Q^(1/n)) for n > k; for n <= k the factor is 1 and the power n: cos^n itself
+///   out_o = brdf intensity
+/// Instances are called by the ordinal numbers that [P] gives the parts of UA 71489 (rg4 is the fourth register). mag4,
+/// limit4 and quant2 are not in the figure: it says nothing of widths and of angles below 0.
+///
+/// Formats  Formats: an angle_formats.
+/// Timing   takes its inputs at a rising edge of clk that sees start_i and ready_o at one; two cycles later the first pixel
+///          is at the output; valid_o is one for count_i cycles, one pixel each.
+/// Reset    rst_n low at a rising edge of clk: ready, all registers 0.
+template <class Formats, bool HasEnergy = Formats::has_energy>
+struct angle : angle_path<Formats> {
+  using contents = typename angle_path<Formats>::contents;
+
+  angle(const sc_core::sc_module_name& name, const contents& words) : angle_path<Formats>(name, words) {
+    this->rom1.y_o(this->brdf);
+  }
+};
+
+/// The same with the normalising coefficient of [A]: a memory and a multiplier, which UA 71489 does not have, between ROM 1 and
+/// multiplier 1.
+///   brdf = energy[n] cos^k(factor |angle|)
+template <class Formats>
+struct angle<Formats, true> : angle_path<Formats> {
+  using base = angle_path<Formats>;
+  template <class Q>
+  using net = typename base::template net<Q>;
+
+  /// What the three memories hold.
+  struct contents : base::contents {
+    typename Formats::rom_energy::memory rom_energy;
+  };
+
+  typename Formats::rom_energy rom_energy;
+  typename Formats::mul_energy SC_NAMED(mul_energy);
+
+  net<typename Formats::lobe> SC_NAMED(lobe);
+  net<typename Formats::energy> SC_NAMED(energy);
+
+  angle(const sc_core::sc_module_name& name, const contents& words)
+      : base(name, words), rom_energy("rom_energy", words.rom_energy) {
+    this->rom1.y_o(lobe);
+    rom_energy.a_i(this->n);
+    rom_energy.y_o(energy);
+    mul_energy.a_i(lobe);
+    mul_energy.b_i(energy);
+    mul_energy.p_o(this->brdf);
+  }
+
+  auto blocks() const { return std::tuple_cat(base::blocks(), std::tie(rom_energy, mul_energy)); }
 };
 
 }  // namespace blysk

@@ -15,6 +15,8 @@
 #include "rtl_sysc/devices/angle/contents.h"
 #include "rtl_sysc/formats.h"
 
+#include <type_traits>
+
 namespace blysk {
 
 /// Pixels of a scan line, 1..1023.
@@ -34,13 +36,16 @@ struct quarter_turn : uq<1, Frac> {
 ///
 /// ROM 1 has min(F + 1, 10) address bits in each part. The product is rounded to them; its operands keep so many bits that
 /// they move it by at most half as much as this rounding.
-template <class Q>
+/// \tparam HasEnergy  a factor of 0.07 to 279 multiplies the lobe
+template <class Q, bool HasEnergy = false>
 struct angle_formats {
+  static constexpr bool has_energy = HasEnergy;
   static constexpr int angle_bits =
       Q::frac + 10;  // 1023 steps add up the step's rounding to half an ulp of the reflectance
   static constexpr int address_bits = min_of(Q::frac + 1, 10);
   static constexpr int limited_bits = address_bits + 6;
   static constexpr int factor_bits = address_bits + 4;
+  static constexpr int energy_bits = address_bits + 6;  // the least factor keeps as many digits as the place
   static constexpr std::size_t most_words = std::size_t(kMostPowers) << address_bits;
 
   using n = exponent;
@@ -55,8 +60,10 @@ struct angle_formats {
   using factor = uq<5, factor_bits>;    // ROM 2
   using turned = uq<6, limited_bits + factor_bits>;  // multiplier 2
   using place = unit<address_bits>;                  // the lower address of ROM 1; 1: beyond the lobe
-  using brdf = unit<Q::frac>;                        // ROM 1
-  using out = uq<8, Q::frac>;                        // multiplier 1
+  using lobe = unit<Q::frac>;                        // ROM 1
+  using energy = uq<9, energy_bits>;                 // factor of the lobe
+  using brdf = std::conditional_t<HasEnergy, uq<9, Q::frac>, lobe>;
+  using out = std::conditional_t<HasEnergy, uq<17, Q::frac>, uq<8, Q::frac>>;  // multiplier 1
 
   using cnt = down_counter<count>;
   using dec = part_decoder<n, part>;
@@ -67,7 +74,9 @@ struct angle_formats {
   using rom2 = filled_rom<n, factor, 1001>;
   using mul2 = mul<limited, factor, turned>;
   using quant2 = quantise<turned, place, overflow::clamp>;
-  using rom1 = parted_rom<part, place, brdf, most_words>;
+  using rom1 = parted_rom<part, place, lobe, most_words>;
+  using rom_energy = filled_rom<n, energy, 1001>;
+  using mul_energy = mul<lobe, energy, brdf>;
   using mul1 = mul<brdf, intensity, out>;
 
   /// No net overflows for any legal input, Q and k. The factor is largest for the largest Q, k = 1 and n = 1000; it is never
@@ -86,8 +95,19 @@ struct angle_formats {
     static_assert(fits<factor>(factor_lo, factor_hi));
     static_assert(fits<turned>(0, turned_hi));
     static_assert(quant2::law(mul2::law(limited::max, factor_lo)) == place::max);
-    static_assert(fits<brdf>(0, cosine_word(0, address_bits, 1, Q::frac)));
-    static_assert(fits<out>(0, mul1::law(brdf::max, intensity::max)));
+    static_assert(fits<lobe>(0, cosine_word(0, address_bits, 1, Q::frac)));
+    if constexpr (HasEnergy) {
+      // Of all Q and k, the narrowest lobe has the largest factor.
+      constexpr int64_t energy_hi =
+          angle_factor(kMillion - 1, 1).energy_word(angle_energy::exact, 1000, energy_bits);
+      constexpr int64_t brdf_hi = mul_energy::law(lobe::max, energy_hi);
+      static_assert(fits<energy>(0, energy_hi));
+      static_assert(fitted_word(900000, 1, 1000, energy_bits) < energy_hi);
+      static_assert(fits<brdf>(0, brdf_hi));
+      static_assert(fits<out>(0, mul1::law(brdf_hi, intensity::max)));
+    } else {
+      static_assert(fits<out>(0, mul1::law(brdf::max, intensity::max)));
+    }
     return fits<angle>(lo, hi) && fits<distance>(0, mag4::law(lo)) && fits<distance>(0, mag4::law(hi));
   }
 };

@@ -7,10 +7,11 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <optional>
 
-#include "rtl_sysc/devices/angle/formats.h"
 #include "tb/device.h"
 #include "tb/devices/angle/contents.h"
+#include "tb/devices/angle/kinds.h"
 #include "tb/devices/word_lengths.h"
 #include "tb/visit_format.h"
 
@@ -26,7 +27,8 @@ struct widths_of_model {
   int address;  ///< of a part of ROM 1
   int limited;  ///< of the angle at multiplier 2
   int factor;   ///< of the words of ROM 2
-  int brdf;     ///< of the words of ROM 1
+  int brdf;     ///< of the words of ROM 1, and of the reflectance
+  int energy;   ///< of the factors of the lobe, where there are any
 };
 
 /// Calls use(row, first pixel, pixels) for each line, after `out` has room for all pixels.
@@ -46,7 +48,12 @@ void for_lines(const columns& in, columns& out, Use use) {
 /// The blocks' laws in the order of the clock edges.
 class bit_engine final : public engine {
  public:
-  bit_engine(const widths_of_model& bits, std::uint64_t level, int powers, std::vector<storage> results)
+  bit_engine(const widths_of_model& bits, const selection& asked, std::vector<storage> results)
+      : bit_engine(bits, level_of(asked), powers_of(asked), energy_of(asked), std::move(results)) {}
+
+ private:
+  bit_engine(const widths_of_model& bits, std::uint64_t level, int powers, std::optional<angle_energy> energy,
+             std::vector<storage> results)
       : engine(std::move(results)),
         bits_(bits),
         powers_(powers),
@@ -54,9 +61,12 @@ class bit_engine final : public engine {
         words_(static_cast<std::size_t>(powers) << bits.address) {
     fill_factors(factors_, level, static_cast<std::uint64_t>(powers), bits.factor);
     fill_powers(words_, static_cast<std::uint64_t>(powers), bits.address, bits.brdf);
+    if (energy) {
+      energies_.resize(factors_.size());
+      fill_energy(energies_, *energy, level, static_cast<std::uint64_t>(powers), bits.energy);
+    }
   }
 
- private:
   // A vector holds what the blocks' arrays hold.
   static std::int64_t lookup(const std::vector<std::int64_t>& words, std::int64_t index) {
     return static_cast<std::size_t>(index) < words.size() ? words[static_cast<std::size_t>(index)] : 0;
@@ -71,7 +81,8 @@ class bit_engine final : public engine {
       const auto part = part_decoder<exponent, uq<4, 0>>::law<std::int64_t>(n, powers_);
       std::int64_t angle = in[kStart].get(row);
       for (std::size_t pixel = first; pixel < first + pixels; ++pixel) {
-        const std::int64_t brdf = reflectance(angle, factor, part);
+        std::int64_t brdf = reflectance(angle, factor, part);
+        if (!energies_.empty()) brdf = law::mul<std::int64_t>(brdf, lookup(energies_, n), bits_.energy);
         out[kAngle].set(pixel, angle);
         out[kBrdf].set(pixel, brdf);
         out[kOut].set(pixel, law::mul<std::int64_t>(brdf, intensity, 0));
@@ -94,16 +105,26 @@ class bit_engine final : public engine {
   widths_of_model bits_;
   int powers_;
   std::vector<std::int64_t> factors_, words_;
+  std::vector<std::int64_t> energies_;  // empty without a factor of the lobe
 };
 
-/// cos^k(factor |start + i step|).
+/// The factor of the lobe.
+double energy_at(std::optional<angle_energy> which, double n, double k, double level) {
+  if (!which) return 1;
+  if (*which == angle_energy::safe) return golden::angle_coefficient_safe(n, k, level);
+  if (*which == angle_energy::published && n > k) return golden::angle_coefficient_fitted(n, k, level);
+  return golden::angle_coefficient_exact(n, k, level);
+}
+
+/// cos^k(factor |start + i step|), times the factor of the lobe.
 class formula_engine final : public engine {
  public:
-  formula_engine(int angle_bits, double level, int powers)
+  formula_engine(int angle_bits, const selection& asked)
       : engine({storage::f64, storage::f64, storage::f64}),
         angle_bits_(angle_bits),
-        level_(level),
-        powers_(powers) {}
+        level_(static_cast<double>(level_of(asked)) / kMillion),
+        powers_(powers_of(asked)),
+        energy_(energy_of(asked)) {}
 
  private:
   void compute(const columns& in, columns& out) override {
@@ -111,12 +132,13 @@ class formula_engine final : public engine {
       const double n = in[kN].real(row);
       const double k = std::min<double>(powers_, n);
       const double scale = golden::angle_scale(n, k, level_);
+      const double energy = energy_at(energy_, n, k, level_);
       const double intensity = in[kIntensity].real(row);
       const double start = std::ldexp(in[kStart].real(row), -angle_bits_);
       const double step = std::ldexp(in[kStep].real(row), -angle_bits_);
       for (std::size_t i = 0; i < pixels; ++i) {
         const double angle = start + static_cast<double>(i) * step;
-        const double brdf = golden::angle_lobe_scaled(k, scale * std::abs(angle));
+        const double brdf = energy * golden::angle_lobe_scaled(k, scale * std::abs(angle));
         out[kAngle].set(first + i, angle);
         out[kBrdf].set(first + i, brdf);
         out[kOut].set(first + i, brdf * intensity);
@@ -127,6 +149,7 @@ class formula_engine final : public engine {
   int angle_bits_;
   double level_;
   int powers_;
+  std::optional<angle_energy> energy_;
 };
 
 class angle_device_of final : public device {
@@ -146,63 +169,73 @@ class angle_device_of final : public device {
         {.name = "q",
          .help = "Q of the article, at which the lobe meets cos^n: above 0 and below 1, at most six decimals",
          .preset = "0.5"},
-        {.name = "k", .help = "power of the cosine for n >= k, 1..15", .preset = "5"}};
+        {.name = "k", .help = "power of the cosine for n >= k, 1..15", .preset = "5"},
+        {.name = "energy",
+         .help = "factor of the lobe: 1 (none), the article's fit (published), its 1/(2 pi Int) (exact), one "
+                 "that "
+                 "keeps the reflectance at or below 1 at every incidence (safe)",
+         .values = {"none", "published", "exact", "safe"},
+         .preset = "none"}};
   }
 
   void check(const selection& asked) const override {
     level_of(asked);
     powers_of(asked);
+    energy_of(asked);
   }
 
   std::string words(const selection& asked) const override {
-    return fmt::format("Q {}, k {}", asked.value("q"), asked.value("k"));
+    return fmt::format("Q {}, k {}{}", asked.value("q"), asked.value("k"),
+                       energy_of(asked) ? fmt::format(", energy factor {}", asked.value("energy")) : "");
   }
 
   bool draws_lines() const override { return true; }
   std::int64_t pixels(const columns& in, std::size_t row) const override { return in[kCount].get(row); }
 
   std::unique_ptr<engine> make_bit(const selection& asked) const override {
-    return visit_format(asked.format(), [&]<class Q>() -> std::unique_ptr<engine> {
-      using formats = angle_formats<Q>;
-      const std::vector<storage> results{storage_of(formats::angle::width, formats::angle::is_signed),
-                                         storage_of(formats::brdf::width, formats::brdf::is_signed),
-                                         storage_of(formats::out::width, formats::out::is_signed)};
-      return std::make_unique<bit_engine>(bits_of(asked), level_of(asked), powers_of(asked), results);
+    return visit_format(asked.format(), [&]<class Q>() {
+      return with_formats<Q>(asked, [&]<class Formats>() -> std::unique_ptr<engine> {
+        std::vector<storage> results{storage_of(Formats::angle::width, Formats::angle::is_signed),
+                                     storage_of(Formats::brdf::width, Formats::brdf::is_signed),
+                                     storage_of(Formats::out::width, Formats::out::is_signed)};
+        return std::make_unique<bit_engine>(bits_of(asked), asked, std::move(results));
+      });
     });
   }
 
   std::int64_t rom_bits(const selection& asked) const override {
     const widths_of_model bits = bits_of(asked);
     return (std::int64_t{powers_of(asked)} << bits.address) * (bits.brdf + 1) +
-           exponent::max * (5 + std::int64_t{bits.factor});
+           exponent::max * (5 + std::int64_t{bits.factor} + (energy_of(asked) ? 9 + bits.energy : 0));
   }
 
   word_lengths widths(const selection& asked) const override {
     const widths_of_model bits = bits_of(asked);
-    return {
+    word_lengths named{
         {"address", bits.address}, {"limited", bits.limited}, {"factor", bits.factor}, {"brdf", bits.brdf}};
+    if (energy_of(asked)) named["energy"] = bits.energy;
+    return named;
   }
 
   /// The stimulus keeps the fraction bits of its format.
   std::unique_ptr<engine> make_bit(const selection& asked, const word_lengths& bits) const override {
     widths_of_model chosen = bits_of(asked);
-    const known_width known[] = {{"address", &chosen.address, 1, 16},
-                                 {"limited", &chosen.limited, 1, chosen.angle},
-                                 {"factor", &chosen.factor, 1, 30},
-                                 {"brdf", &chosen.brdf, 1, 30}};
+    std::vector<known_width> known{{"address", &chosen.address, 1, 16},
+                                   {"limited", &chosen.limited, 1, chosen.angle},
+                                   {"factor", &chosen.factor, 1, 30},
+                                   {"brdf", &chosen.brdf, 1, 30}};
+    if (energy_of(asked)) known.push_back({"energy", &chosen.energy, 1, 20});
     take_widths(bits, known);
     if (chosen.limited + chosen.factor > 57 || chosen.limited + chosen.factor < chosen.address) {
       throw std::invalid_argument(
           fmt::format("word lengths limited {} and factor {} do not go together, expected {}..57 in sum",
                       chosen.limited, chosen.factor, chosen.address));
     }
-    return std::make_unique<bit_engine>(chosen, level_of(asked), powers_of(asked),
-                                        std::vector<storage>(3, storage::i64));
+    return std::make_unique<bit_engine>(chosen, asked, std::vector<storage>(3, storage::i64));
   }
 
   std::unique_ptr<engine> make_golden(const selection& asked) const override {
-    return std::make_unique<formula_engine>(
-        bits_of(asked).angle, static_cast<double>(level_of(asked)) / kMillion, powers_of(asked));
+    return std::make_unique<formula_engine>(bits_of(asked).angle, asked);
   }
 
   std::size_t enumerated() const override { return 1; }
@@ -216,8 +249,9 @@ class angle_device_of final : public device {
   static widths_of_model bits_of(const selection& asked) {
     return visit_format(asked.format(), []<class Q>() {
       using formats = angle_formats<Q>;
-      return widths_of_model{formats::angle_bits, formats::address_bits, formats::limited_bits,
-                             formats::factor_bits, Q::frac};
+      return widths_of_model{
+          formats::angle_bits, formats::address_bits, formats::limited_bits, formats::factor_bits, Q::frac,
+          formats::energy_bits};
     });
   }
 };
@@ -253,6 +287,20 @@ int powers_of(const selection& asked) {
     throw std::invalid_argument(fmt::format("--k is {}, expected an integer 1..{}", text, kMostPowers));
   }
   return powers;
+}
+
+std::optional<angle_energy> energy_of(const selection& asked) {
+  const std::string& text = asked.value("energy");
+  if (text == "none") return std::nullopt;
+  if (text == "exact") return angle_energy::exact;
+  if (text == "safe") return angle_energy::safe;
+  if (!is_fitted(level_of(asked), static_cast<std::uint64_t>(powers_of(asked)))) {
+    throw std::invalid_argument(
+        fmt::format("--energy published holds for --q in [0.1, 0.4] or [0.5, 0.9] and --k in 1..5, expected "
+                    "these, not --q {} --k {}, or --energy exact",
+                    asked.value("q"), asked.value("k")));
+  }
+  return angle_energy::published;
 }
 
 const device& instance() {

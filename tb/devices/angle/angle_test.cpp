@@ -9,6 +9,7 @@
 #include "tb/device.h"
 #include "tb/golden/angle.h"
 #include "tb/golden/pi.h"
+#include "tb/golden/reflectance.h"
 #include "tb/harness/systemc_engine.h"
 
 namespace {
@@ -102,6 +103,13 @@ double largest_share(const std::string& format) {
     }
   }
   return share;
+}
+
+/// The factor of the lobe, by [A]'s formulas.
+double factor_of(const std::string& energy, double n, double k, double level) {
+  if (energy == "safe") return golden::angle_coefficient_safe(n, k, level);
+  if (energy == "published" && n > k) return golden::angle_coefficient_fitted(n, k, level);
+  return golden::angle_coefficient_exact(n, k, level);
 }
 
 std::string refusal(const std::map<std::string, std::string>& options) {
@@ -278,9 +286,102 @@ TEST_CASE("options that are no Q or k are refused in one line", "[angle]") {
   for (const char* k : {"0", "16", "-1", "2.5", "", "5x"})
     CHECK(refusal({{"k", k}}) == std::string("--k is ") + k + ", expected an integer 1..15");
   CHECK(refusal({{"coefficient", "derived"}}) ==
-        "device angle has no option --coefficient, expected --q, --k");
+        "device angle has no option --coefficient, expected --q, --k, --energy");
   CHECK(refusal({{"q", "0.999999"}, {"k", "15"}}).empty());
   CHECK(refusal({{"q", ".000001"}}).empty());
+}
+
+TEST_CASE("a factor of the lobe that does not exist, or does not hold, is refused in one line", "[angle]") {
+  CHECK(refusal({{"energy", "fitted"}}) == "--energy is fitted, expected none, published, exact, safe");
+  const std::string holds =
+      "--energy published holds for --q in [0.1, 0.4] or [0.5, 0.9] and --k in 1..5, expected these, not ";
+  for (const char* q : {"0.09", "0.45", "0.400001", "0.95"})
+    CHECK(refusal({{"energy", "published"}, {"q", q}}) == holds + "--q " + q + " --k 5, or --energy exact");
+  CHECK(refusal({{"energy", "published"}, {"k", "6"}}) == holds + "--q 0.5 --k 6, or --energy exact");
+  for (const char* energy : {"exact", "safe"})
+    CHECK(refusal({{"energy", energy}, {"q", "0.45"}, {"k", "15"}}).empty());
+  CHECK(choose("angle", "q8", {{"energy", "safe"}}).text() ==
+        "device angle, format q8, Q 0.5, k 5, energy factor safe");
+  CHECK(choose("angle", "q8").text() == "device angle, format q8, Q 0.5, k 5");
+}
+
+TEST_CASE("with a factor the reflectance is within its bound of the factor times [A]'s function", "[angle]") {
+  double share = 0;
+  for (const char* energy : {"published", "exact", "safe"}) {
+    for (const int n : {1, 2, 5, 6, 16, 50, 200, 1000}) {
+      for (const int powers : {1, 5}) {
+        const double k = std::min(powers, n);
+        const std::string text = std::to_string(powers);
+        const double factor = factor_of(energy, n, k, 0.6);
+        const double end = golden::angle_limit<double>(n, k, 0.6);
+        const selection asked = choose("angle", "q12", {{"energy", energy}, {"q", "0.6"}, {"k", text}});
+        const columns out = drawn(asked, {n, 255, 0, end * 1.02 / 1023, 1023});
+        // Words of the memory are rounded to nearest, safe ones down.
+        const double word =
+            std::ldexp(energy == std::string("safe") ? 1 : 0.5, -angle_formats<q12>::energy_bits);
+        const double lobe = bound<q12>(n, powers, 0.6);
+        for (std::size_t i = 0; i < out.size(); ++i) {
+          const double angle = std::ldexp(out[kAngle].real(i), -angle_bits(asked));
+          const double exact = golden::angle_lobe<double>(n, k, 0.6, angle);
+          const double allowed = factor * lobe + word * (exact + lobe) + std::ldexp(1, -13);
+          const double error = std::abs(std::ldexp(out[kBrdf].real(i), -12) - factor * exact);
+          CAPTURE(energy, n, powers, i);
+          REQUIRE(error <= allowed);
+          REQUIRE(out[kOut].get(i) == 255 * out[kBrdf].get(i));
+          share = std::max(share, error / allowed);
+        }
+      }
+    }
+  }
+  CHECK(share > 0.8);
+}
+
+TEST_CASE("the exact factor makes the reflectance of the pixels 1, with the angle from the mirror direction",
+          "[angle]") {
+  for (const int n : {1, 3, 6, 20, 200, 1000}) {
+    const selection asked = choose("angle", "q16", {{"energy", "exact"}});
+    const double end = golden::angle_limit<double>(n, std::min(n, 5), 0.5);
+    const columns out = drawn(asked, {n, 255, 0, std::min(end, 1.57) / 1000, 1001});
+    // Riemann's sum of 2 pi brdf cos x sin x.
+    double sum = 0;
+    const double step = std::ldexp(out[kAngle].real(1), -angle_bits(asked));
+    for (std::size_t i = 0; i < out.size(); ++i) {
+      const double x = static_cast<double>(i) * step;
+      sum +=
+          2 * golden::pi<double>() * std::ldexp(out[kBrdf].real(i), -16) * std::cos(x) * std::sin(x) * step;
+    }
+    // The bound of each pixel, and 1/500 for the sum and its end.
+    const double factor = factor_of("exact", n, std::min(n, 5), 0.5);
+    const double off =
+        factor * bound<q16>(n, 5, 0.5) * golden::pi<double>() * std::pow(std::sin(std::min(end, 1.57)), 2);
+    CAPTURE(n, sum, off);
+    CHECK(std::abs(sum - 1) <= off + 0.002);
+  }
+}
+
+TEST_CASE("the safe factor keeps the reflectance at or below 1 in both readings of the angle", "[angle]") {
+  using golden::lobe_axis;
+  double largest = 0;
+  for (const double q : {0.1, 0.5, 0.9}) {
+    for (const int powers : {1, 2, 5, 15}) {
+      const angle_factor words(static_cast<std::uint64_t>(std::lround(q * 1e6)),
+                               static_cast<std::uint64_t>(powers));
+      for (const int n : {1, 2, 3, 5, 8, 16, 40, 200, 1000}) {
+        const double factor = std::ldexp(
+            static_cast<double>(words.energy_word(angle_energy::safe, static_cast<std::uint64_t>(n), 19)),
+            -19);
+        for (const double degrees : {0.0, 30.0, 60.0, 80.0}) {
+          for (const lobe_axis axis : {lobe_axis::half_vector, lobe_axis::mirror}) {
+            const double r = golden::angle_reflectance(n, std::min(powers, n), q, factor, axis, degrees);
+            CAPTURE(q, powers, n, degrees);
+            CHECK(r <= 1);
+            largest = std::max(largest, r);
+          }
+        }
+      }
+    }
+  }
+  CHECK(largest > 0.98);  // close for narrow lobes
 }
 
 TEST_CASE("the device says how large its memories are", "[angle]") {
@@ -288,4 +389,6 @@ TEST_CASE("the device says how large its memories are", "[angle]") {
   CHECK(small.of().rom_bits(small) == 5 * 512 * 9 + 1000 * 18);
   const selection one = choose("angle", "q24", {{"k", "1"}});
   CHECK(one.of().rom_bits(one) == 1024 * 25 + 1000 * 19);
+  const selection factor = choose("angle", "q8", {{"energy", "exact"}});
+  CHECK(factor.of().rom_bits(factor) == 5 * 512 * 9 + 1000 * 18 + 1000 * 24);
 }

@@ -30,6 +30,9 @@ refuses '--q is 0, expected' $good --q 0
 refuses '--q is -0.5, expected' $good --q=-0.5
 refuses '--k is 0, expected an integer 1..15' $good --k 0
 refuses '--k is 16, expected an integer 1..15' $good --k 16
+refuses '--energy is some, expected none, published, exact, safe' $good --energy some
+refuses '--energy published holds for --q in [0.1, 0.4] or [0.5, 0.9] and --k in 1..5' $good --energy published --q 0.45
+refuses '--energy published holds for --q in [0.1, 0.4] or [0.5, 0.9] and --k in 1..5' $good --energy published --k 6
 refuses 'expected an integer 1..1023' 10,255,0.5,0.01,0
 refuses 'expected an integer 1..1023' 10,255,0.5,0.01,1024
 refuses 'expected an integer 1..1000' 0,255,0.5,0.01,4

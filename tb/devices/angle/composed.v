@@ -1,7 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // UA 71489 as [P] describes it: out = intensity cos^k(factor[n] |angle|), the angle running along a scan line; see
-// tb/cosim/composition. F fraction bits of the reflectance, F + 10 of angles; Q and k as preset.
+// tb/cosim/composition. F fraction bits of the reflectance, F + 10 of angles; Q and k as preset. ENERGY: with a factor of the
+// lobe.
 `default_nettype none
+`ifdef ENERGY
+`define BRDF F + 9
+`define OUT F + 17
+`else
+`define BRDF F + 1
+`define OUT F + 8
+`endif
 
 module composed #(
     parameter F = 8
@@ -14,7 +22,7 @@ module composed #(
     input wire [9:0] count_i,
     input wire start_i,
     output wire ready_o,
-    output wire [F+7:0] out_o,
+    output wire [`OUT-1:0] out_o,
     output wire valid_o
 );
 
@@ -33,7 +41,8 @@ module composed #(
   wire [2*A+15:0] turned;
   wire [A:0] place;
   wire [3:0] part;
-  wire [F:0] brdf;
+  wire [F:0] lobe;
+  wire [`BRDF-1:0] brdf;
 
   scan_control control (.clk(clk), .rst_n(rst_n), .start_i(start_i), .carry_i(last),
       .load_o(load), .first_o(first), .step_o(advance), .draw_o(valid_o), .ready_o(ready_o));
@@ -54,8 +63,15 @@ module composed #(
   multiplier #(.A(A + 7), .B(A + 9), .P(2 * A + 16)) mul2 (.a_i(limited), .b_i(factor), .p_o(turned));
   rounding #(.A(2 * A + 16), .DROP(A + 10), .Y(A + 1), .MOST(1 << A)) quant2 (.a_i(turned), .y_o(place));
   part_decoder #(.FIRST(5), .A(10), .Y(4)) dec (.n_i(n), .part_o(part));
-  parted_memory #(.P(4), .A(A + 1), .Y(F + 1)) rom1 (.part_i(part), .a_i(place), .y_o(brdf));
-  multiplier #(.A(F + 1), .B(8), .P(F + 8)) mul1 (.a_i(brdf), .b_i(intensity), .p_o(out_o));
+  parted_memory #(.P(4), .A(A + 1), .Y(F + 1)) rom1 (.part_i(part), .a_i(place), .y_o(lobe));
+`ifdef ENERGY
+  wire [A+14:0] energy;
+  memory #(.A(10), .Y(A + 15)) rom_energy (.a_i(n), .y_o(energy));
+  multiplier #(.A(F + 1), .B(A + 15), .P(`BRDF), .DROP(A + 6)) mul_energy (.a_i(lobe), .b_i(energy), .p_o(brdf));
+`else
+  assign brdf = lobe;
+`endif
+  multiplier #(.A(`BRDF), .B(8), .P(`OUT)) mul1 (.a_i(brdf), .b_i(intensity), .p_o(out_o));
 
 endmodule
 

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
+#include "rtl_sysc/devices/angle/contents.h"
 #include "tb/device.h"
 
 namespace blysk::angle_device {
@@ -15,5 +17,9 @@ std::uint64_t level_of(const selection& asked);
 /// k, 1..15.
 /// \throws std::invalid_argument for any other text
 int powers_of(const selection& asked);
+
+/// What the factor of the lobe is; nothing without one.
+/// \throws std::invalid_argument if the published one does not hold for Q and k
+std::optional<angle_energy> energy_of(const selection& asked);
 
 }  // namespace blysk::angle_device

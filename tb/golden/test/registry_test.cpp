@@ -49,6 +49,7 @@ TEST_CASE("every promised name is served, once", "[golden]") {
                           "angle",
                           "angle-coef-exact",
                           "angle-coef-fitted",
+                          "angle-coef-safe",
                           "lyon-2",
                           "lyon-4",
                           "lyon-8",

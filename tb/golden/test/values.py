@@ -212,6 +212,10 @@ def angle():
         row("angle-limit", (n, k, q), pi / 2 / a, 20)
         row("angle-integral", (n, k, q), integral, 64)
         row("angle-coef-exact", (n, k, q), 1 / (2 * pi * integral), 64)
+        # Up to 90 degrees, where the lobe does not end before.
+        moment_to_end = moment(rk, 1 / a) if a >= 1 else quad(lambda y: cos(y) ** rk * sin(y / a),
+                                                              [i * a * pi / 128 for i in range(65)])
+        row("angle-coef-safe", (n, k, q), a / (8 * pi * moment_to_end), 64)
     for n, k, q in ((2, 1, 0.125), (7, 2, 0.375), (100, 3, 0.25), (1000, 5, 0.4), (1000, 1.5, 0.1)):
         q0 = fraction(q)
         value = (Q(608, 1000) * n * (q0 - Q(193, 1000)) / (2 * q0 + 2 * fraction(k)) + Q(161, 1000) * n
