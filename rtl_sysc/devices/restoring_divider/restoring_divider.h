@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "rtl_sysc/devices/divider.h"
 #include "rtl_sysc/devices/restoring_divider/formats.h"
-#include "rtl_sysc/pin.h"
 
 #include <tuple>
 
@@ -17,18 +17,12 @@ namespace blysk {
 ///          cycle in which valid_o is at one, increment_bits + 9 rising edges later, when the next inputs can be taken.
 /// Reset    rst_n low at a rising edge of clk: ready, all registers 0.
 template <class Formats>
-struct restoring_divider : sc_core::sc_module {
+struct restoring_divider : divider<Formats> {
+  using base = divider<Formats>;
   template <class Q>
-  using net = sc_core::sc_signal<typename Q::raw_t>;
-
-  sc_core::sc_in<bool> SC_NAMED(clk);
-  sc_core::sc_in<bool> SC_NAMED(rst_n);
-  sc_core::sc_in<typename Formats::difference::raw_t> SC_NAMED(difference_i);
-  sc_core::sc_in<typename Formats::length::raw_t> SC_NAMED(length_i);
-  sc_core::sc_in<bool> SC_NAMED(start_i);
-  sc_core::sc_out<bool> SC_NAMED(ready_o);
-  sc_core::sc_out<typename Formats::increment::raw_t> SC_NAMED(increment_o);
-  sc_core::sc_out<bool> SC_NAMED(valid_o);
+  using net = typename base::template net<Q>;
+  using base::clk, base::rst_n, base::difference_i, base::length_i, base::start_i;
+  using base::ready_o, base::increment_o, base::valid_o;
 
   typename Formats::control SC_NAMED(control);
   typename Formats::sign_of SC_NAMED(sign_of);
@@ -48,8 +42,7 @@ struct restoring_divider : sc_core::sc_module {
   net<typename Formats::quotient> SC_NAMED(quotient);
   net<typename Formats::increment_size> SC_NAMED(increment_size);
 
-  explicit restoring_divider(const sc_core::sc_module_name& name)
-      : sc_core::sc_module(name), rg_sign("rg_sign", 1) {
+  explicit restoring_divider(const sc_core::sc_module_name& name) : base(name), rg_sign("rg_sign", 1) {
     static_assert(Formats::no_overflow());
     // clang-format off
     control.clk(clk);    control.rst_n(rst_n);    control.start_i(start_i);
@@ -64,24 +57,6 @@ struct restoring_divider : sc_core::sc_module {
     whole_of.a_i(quotient);                                                  whole_of.y_o(increment_size);
     sign_quotient.a_i(increment_size);  sign_quotient.negative_i(was_negative);  sign_quotient.y_o(increment_o);
     // clang-format on
-  }
-
-  /// The ports and what they are for; no seed has a figure of it.
-  template <class Reader>
-  static void pins(Reader& reader) {
-    using d = restoring_divider;
-    reader.clock(&d::clk, {"clk", "", "clk", "clock"});
-    reader.reset(&d::rst_n, {"rst_n", "", "rst_n", "synchronous, active low"});
-    reader.data(&d::difference_i,
-                {"difference_i", "", "difference", "difference of the intensities at the ends"},
-                typename Formats::difference{}, "difference");
-    reader.data(&d::length_i, {"length_i", "", "length", "pixels between the ends"},
-                typename Formats::length{}, "length");
-    reader.start(&d::start_i, {"start_i", "", "start", "takes the inputs while ready_o is one"});
-    reader.ready(&d::ready_o, {"ready_o", "", "ready", "start_i takes the inputs"});
-    reader.result(&d::increment_o, {"increment_o", "", "increment", "difference / length"},
-                  typename Formats::increment{}, "increment");
-    reader.valid(&d::valid_o, {"valid_o", "", "valid", "increment_o is valid"});
   }
 
   /// The parts list, for the same readers.
