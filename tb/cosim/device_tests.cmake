@@ -252,11 +252,14 @@ function(blysk_device_tests device)
     add_dependencies(update_coverage update_${name})
   endforeach()
   set(equivalence --prove ${CMAKE_CURRENT_SOURCE_DIR}/mutants.sh)
+  set(arguments_of_mutants "")
   if(EXISTS ${own}/states.v)
     list(APPEND equivalence --states ${own}/states.v)
+    list(APPEND arguments_of_mutants ${own}/states.v)
   endif()
   if(EXISTS ${own}/survivors.txt)
     list(APPEND equivalence --reasons ${own}/survivors.txt)
+    list(APPEND arguments_of_mutants ${own}/survivors.txt)
   endif()
   if(mutated)
     list(GET mutated 0 format)
@@ -278,13 +281,22 @@ function(blysk_device_tests device)
     if(rows)
       set(further --rows ${CMAKE_CURRENT_BINARY_DIR}/rows_${identifier}_${format}.csv)
     endif()
-    add_custom_target(update_${name} USES_TERMINAL VERBATIM
+    # A stamp of its own: what has been tried is not tried again before the Verilog or the regression changes.
+    set(stamp ${CMAKE_CURRENT_BINARY_DIR}/${name}/table)
+    add_custom_command(OUTPUT ${stamp} USES_TERMINAL VERBATIM
       COMMAND ${CMAKE_COMMAND} -E make_directory ${tables}
       COMMAND ${name} ${device} ${format} ${CMAKE_CURRENT_BINARY_DIR}/${name} ${further} ${equivalence}
-              --output ${tables}/mutation_${format}.md)
+              --output ${tables}/mutation_${format}.md
+      COMMAND ${CMAKE_COMMAND} -E touch ${stamp}
+      DEPENDS ${name} ${arguments_of_mutants})
+    add_custom_target(update_${name} DEPENDS ${stamp})
     if(rows)
       add_dependencies(update_${name} rows_${identifier})
     endif()
+    if(NOT TARGET update_mutation_${format})
+      add_custom_target(update_mutation_${format})
+    endif()
+    add_dependencies(update_mutation_${format} update_${name})
     add_dependencies(update_mutation update_${name})
   endforeach()
 
