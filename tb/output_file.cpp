@@ -182,6 +182,8 @@ int make_new(const fs::path& folder, std::string_view base, std::string_view end
 }
 
 /// Devices and what a process has open are no places for another file; shared memory is.
+constexpr const char* kStandardInput = "/dev/stdin";
+
 bool is_special(const fs::path& path) {
   const std::string name = path.string();
   return name.starts_with("/proc/") || (name.starts_with("/dev/") && !name.starts_with("/dev/shm/"));
@@ -420,10 +422,15 @@ bool is_standard_output(const std::string& path) {
   return name == "/dev/stdout" || name == "/dev/fd/1" || name == "/proc/self/fd/1";
 }
 
+std::string input_path(const std::string& path) {
+  return path == "-" ? kStandardInput : path;
+}
+
 void expect_different_files(const std::vector<std::string>& options, const std::vector<std::string>& paths) {
   const auto leads_to = [](const std::string& path) -> fs::path {
     std::error_code ignored;
     if (is_standard_output(path)) return "/dev/stdout";
+    if (path == kStandardInput && fs::is_regular_file(path, ignored)) return path;
     return path.empty() || is_special(path) ? fs::path() : fs::weakly_canonical(fs::absolute(path), ignored);
   };
   for (std::size_t i = 0; i < paths.size(); ++i) {
@@ -434,7 +441,7 @@ void expect_different_files(const std::vector<std::string>& options, const std::
       std::error_code ignored;  // one is not there
       if (place == other || fs::equivalent(place, other, ignored)) {
         throw file_error(
-            paths[i], 0,
+            paths[i] == "-" ? "standard output" : paths[i], 0,
             fmt::format("is given by {} and {}, expected different files", options[j], options[i]));
       }
     }

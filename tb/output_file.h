@@ -72,7 +72,11 @@ class output_file {
 /// True for "-" and for what names the same: /dev/stdout, /dev/fd/1, /proc/self/fd/1, a link to one of them.
 bool is_standard_output(const std::string& path);
 
-/// \throws usage_error if two of the paths lead to the same file, the same place for one, or standard output; "" is none
+/// What a path to read leads to: "-" is standard input there.
+std::string input_path(const std::string& path);
+
+/// \throws usage_error if two of the paths lead to the same file, the same place for one, or standard output; "" is none.
+///         Standard input counts where it is a regular file.
 /// \param options  what the paths are given by, for the message: "--results"
 void expect_different_files(const std::vector<std::string>& options, const std::vector<std::string>& paths);
 

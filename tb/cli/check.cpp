@@ -144,7 +144,7 @@ void add_check(CLI::App& program, int& status) {
           "input")
       ->capture_default_str();
   verb->add_option("--differences", asked->shown, "how many differences to show")
-      ->check(whole_number(0, std::numeric_limits<std::uint32_t>::max()))
+      ->transform(whole_number(0, std::numeric_limits<std::uint32_t>::max()))
       ->capture_default_str();
   verb->add_flag("--json", asked->json, "print JSON");
   verb->footer(

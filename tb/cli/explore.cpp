@@ -356,7 +356,7 @@ void add_explore(CLI::App& program, int& status) {
                    "folder that keeps the rows of a sweep, which then goes on after a stop");
   verb->add_option("--shard", asked->shard, "which part of a sweep, such as 2/8")->capture_default_str();
   verb->add_option("--jobs", asked->jobs, "threads at work")
-      ->check(whole_number(1, 1024))
+      ->transform(whole_number(1, 1024))
       ->capture_default_str();
   auto* merge = verb->add_subcommand("merge", "Bring the folders of all shards together");
   merge->fallthrough();  // --json and others stand behind it too

@@ -56,6 +56,8 @@ void run(const options& asked) {
     files[name + "_serial.v"] = verilog::serial_text(*device, name, chosen.text());
     files[name + "_serial.pcf"] = verilog::serial_pins(name);
   }
+  if (asked.output == "-")
+    throw usage_error("--output is -, expected a directory: an export has several files");
   expect_same_export(asked.output, name + ".v", chosen.text());
   write_directory(asked.output, files);
   fmt::print("{}: read it with the file list {}.f{}\n", printable(asked.output), name,

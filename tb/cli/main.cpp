@@ -3,9 +3,11 @@
 #include <sysc/tracing/sc_tracing_ids.h>
 
 #include <algorithm>
+#include <sstream>
 #include <string_view>
 #include <systemc>
 
+#include "tb/cli/parse_arguments.h"
 #include "tb/cli/verbs.h"
 #include "tb/run_program.h"
 #include "tb/usage_error.h"
@@ -44,11 +46,11 @@ int run(int argc, char** argv) {
         argv[1]));
   }
   try {
-    program.parse(argc, argv);
+    blysk::cli::parse_arguments(program, "blysk", argc, argv);
   } catch (const CLI::Success& success) {  // --help, --version
-    program.exit(success);
-  } catch (const CLI::Error& error) {
-    throw blysk::usage_error(fmt::format("{}, see blysk --help", error.what()));
+    std::ostringstream text;               // a stream of C++ would not say why it cannot write
+    program.exit(success, text, text);
+    fmt::print("{}", text.str());
   }
   return status;
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -72,8 +73,7 @@ void run(const options& asked) {
   if (model == nullptr) {
     throw usage_error(fmt::format("model '{}' does not exist, expected a name from blysk list", asked.name));
   }
-  // "-" is standard input there.
-  expect_different_files({"--points", "--results"}, {asked.points == "-" ? "" : asked.points, asked.results});
+  expect_different_files({"--points", "--results"}, {input_path(asked.points), asked.results});
   csv_reader rows(asked.points, model->header);
   point_reader points(rows, model->header, asked.clamps);
   output_file results(asked.results);
@@ -95,8 +95,10 @@ void run(const options& asked) {
     }
     points.read(inputs);
     try {
-      fmt::format_to(std::back_inserter(text), "{},{:.17g}\n", fmt::join(rows.fields(), ","),
-                     model->value(inputs));
+      const double value = model->value(inputs);
+      if (!std::isfinite(value))
+        throw std::domain_error(fmt::format("value is {}, expected columns that give a finite one", value));
+      fmt::format_to(std::back_inserter(text), "{},{:.17g}\n", fmt::join(rows.fields(), ","), value);
     } catch (const std::domain_error& error) {
       throw rows.error(error.what());
     }

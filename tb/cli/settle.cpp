@@ -192,8 +192,6 @@ struct wrong_bit {
 };
 
 void run(const options& asked) {
-  if (asked.pairs < 10 || asked.pairs > 1'000'000'000)
-    throw std::invalid_argument(fmt::format("--pairs is {}, expected 10 to 1000000000", asked.pairs));
   const selection device = asked.device.choose();
   const device_delays delays = cost::read_delays(asked.delays, device, cost::digest_of(device));
   harness::settling_bench bench(device, delays);
@@ -282,10 +280,10 @@ void add_settle(CLI::App& program) {
                    "delays of the blocks, as scripts/synth --delays writes them; without it those that were "
                    "measured when the program was built");
   verb->add_option("--pairs", asked->pairs, "pairs of writes to try")
-      ->check(whole_number(0, std::numeric_limits<std::uint64_t>::max()))
+      ->transform(whole_number(10, 1'000'000'000))
       ->capture_default_str();
   verb->add_option("--seed", asked->seed, "of the random writes")
-      ->check(whole_number(0, std::numeric_limits<std::uint64_t>::max()))
+      ->transform(whole_number(0, std::numeric_limits<std::uint64_t>::max()))
       ->capture_default_str();
   verb->add_flag("--json", asked->json, "print a JSON object");
   verb->footer(

@@ -68,10 +68,9 @@ struct outcome {
 };
 
 void check(const options& asked) {
-  // "-" is standard input there.
-  const std::string stimulus = asked.stimulus == "-" ? "" : asked.stimulus;
-  expect_different_files({"--stimulus", "--results", "--vcd", "--delays", "--settling"},
-                         {stimulus, asked.results, asked.vcd, asked.delays, asked.settling});
+  expect_different_files(
+      {"--stimulus", "--results", "--vcd", "--delays", "--settling"},
+      {input_path(asked.stimulus), asked.results, asked.vcd, asked.delays, asked.settling});
   if (!asked.vcd.empty() && !asked.is_timed() && !find_engine(asked.engine, {kTimedEngine}).is_recorded) {
     throw usage_error(
         fmt::format("--vcd records signals and engine {} has none, expected engine systemc, verilator or {}",

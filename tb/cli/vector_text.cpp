@@ -56,11 +56,13 @@ std::string header_text(const selection& asked, std::uint64_t count) {
 std::optional<vector_header> parse_header(std::string_view line) {
   const std::size_t end = line.find("; ");
   if (!line.starts_with(kBegin) || end == std::string_view::npos) return std::nullopt;
-  vector_header header{std::string(line.substr(kBegin.size(), end - kBegin.size()))};
+  vector_header header{std::string(line.substr(kBegin.size(), end - kBegin.size())), 0, {}};
   const std::string_view rest = line.substr(end + 2);
   const auto [behind, error] = std::from_chars(rest.data(), rest.data() + rest.size(), header.count);
-  if (error != std::errc{} || !std::string_view(behind, rest.end()).starts_with(" vectors of "))
-    return std::nullopt;
+  constexpr std::string_view kColumns = " vectors of ";
+  const std::string_view columns(behind, rest.end());
+  if (error != std::errc{} || !columns.starts_with(kColumns)) return std::nullopt;
+  header.columns = columns.substr(kColumns.size());
   return header;
 }
 
@@ -110,9 +112,17 @@ void answer_reader::read(answers& block, std::size_t most) {
 
 void answer_reader::read_header() {
   const std::optional<vector_header> found = parse_header(lines_.text());
-  if (!found) return;
+  if (!found) {
+    // Any other comment may stand there; a header that was cut would hide missing answers.
+    if (lines_.text().starts_with(std::string(kBegin) + "--"))
+      throw lines_.error("is no header, expected what blysk vectors wrote in its first line");
+    return;
+  }
   if (found->device != device_) {
     throw lines_.error(fmt::format("has vectors of {}, expected those of {}", shown(found->device), device_));
+  }
+  if (found->columns != names_of(in_)) {
+    throw lines_.error(fmt::format("has vectors of {}, expected {}", shown(found->columns), names_of(in_)));
   }
   header_ = found;
 }

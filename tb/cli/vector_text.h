@@ -24,6 +24,7 @@ std::vector<port> outputs_of(const std::vector<port>& ports);
 struct vector_header {
   std::string device;       ///< "--device NAME --format q12"
   std::uint64_t count = 0;  ///< how many vectors there are
+  std::string columns;      ///< "n cos r g b"
 };
 
 /// "# blysk vectors --device NAME --format q12; 5 vectors of n cos r g b", without the line's end.

@@ -69,10 +69,10 @@ void add_vectors(CLI::App& program) {
           "--level", asked->level,
           "1: every n with the cosines at the ends of the range and of the lobe, and 10000 random writes; 2: "
           "every input up to q12, of wider formats more around the ends and 10^6 random writes")
-      ->check(whole_number(1, 2))
+      ->transform(whole_number(1, 2))
       ->capture_default_str();
   verb->add_option("--seed", asked->seed, "of the random writes")
-      ->check(whole_number(0, std::numeric_limits<std::uint64_t>::max()))
+      ->transform(whole_number(0, std::numeric_limits<std::uint64_t>::max()))
       ->capture_default_str();
   verb->add_option("--output", asked->output, "file to write, - for standard output")->capture_default_str();
   verb->footer(

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
-#include <iterator>
+#include <sstream>
 
 #include "tb/output_file.h"
 #include "tb/usage_error.h"
@@ -164,8 +164,11 @@ cost_row parse_cost_row(const std::string& path, const std::string& text) {
 
 std::string read_text(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
-  if (!file) throw file_error(path, 0, fmt::format("cannot be read ({})", system_reason()));
-  return {std::istreambuf_iterator<char>(file), {}};
+  std::ostringstream text;
+  // A folder can be opened, but not read.
+  if (!file || (file.peek() != std::ifstream::traits_type::eof() && !(text << file.rdbuf())) || file.bad())
+    throw file_error(path, 0, fmt::format("cannot be read ({}), expected a file", system_reason()));
+  return text.str();
 }
 
 void write_text(const std::string& path, const std::string& text) {

@@ -666,6 +666,51 @@ TEST_CASE("vectors repeat, and depend on their seed", "[cli]") {
   }
 }
 
+TEST_CASE("zeros in front of a number do not make it octal", "[cli]") {
+  const scratch folder;
+  const std::string ten = run_blysk(folder, "vectors --format q8 --seed 10").out;
+  CHECK(run_blysk(folder, "vectors --format q8 --seed 010").out == ten);
+  CHECK(run_blysk(folder, "vectors --format q8 --seed 8").out != ten);
+}
+
+TEST_CASE("an argument that is wrong is named, and the help of its verb", "[cli]") {
+  const scratch folder;
+  const std::string in = folder.write("in.csv", kGood);
+  const auto fails = [&](const std::string& arguments, const std::string& message) {
+    const outcome failed = run_blysk(folder, arguments);
+    CAPTURE(arguments);
+    CHECK(failed.status == 2);
+    CHECK(failed.err == "blysk: " + message + "\n");
+  };
+  // What is unknown comes before what is missing: it may be a wrong name of that.
+  fails("--verison", "'--verison' is unknown, see blysk --help");
+  fails("simulate --stimlus x", "'--stimlus' is unknown, see blysk simulate --help");
+  fails("explore merge a --outptu b", "'--outptu' is unknown, see blysk explore merge --help");
+  fails("list extra", "'extra' is unknown, see blysk list --help");
+  fails("model blinn --points x", "--results is required, see blysk model --help");
+  // An unset variable of a script.
+  const std::string simulate = "simulate --stimulus " + quoted(in) + " --results - ";
+  for (const std::string option : {"--constant", "--engine", "--format", "--vcd", "--stages", "--period"})
+    fails(simulate + option + " ''", option + " is '', expected a value");
+  for (const std::string option : {"--watch", "--eye", "--target", "--ambient", "--background", "--fov"})
+    fails("render sphere --output - " + option + " ''", option + " is '', expected a value");
+  fails("simulate --stimulus= --results -", "--stimulus has no value, expected one");
+  fails("list --json=", "--json has no value, expected one");
+  fails("export --output -", "--output is -, expected a directory: an export has several files");
+  CHECK(folder.names() == std::vector<std::string>{"in.csv"});
+}
+
+TEST_CASE("a value that is not finite is refused", "[cli]") {
+  const scratch folder;
+  const std::string points = folder.write(
+      "in.csv", "ia,il,ka,kd,nx,ny,nz,lx,ly,lz\n1,1,1,1,0,0,1,0,0,1\n1e308,0,90,0,0,0,1,0,0,1\n");
+  const outcome failed = run_blysk(
+      folder, "model lambert --points " + quoted(points) + " --results " + quoted(folder.path("out.csv")));
+  CHECK(failed.status == 2);
+  CHECK(failed.err == "blysk: " + points + ":3: value is inf, expected columns that give a finite one\n");
+  CHECK(folder.names() == std::vector<std::string>{"in.csv"});
+}
+
 TEST_CASE("answers that cannot be read are refused, and are no difference", "[cli]") {
   const scratch folder;
   const std::string header =
@@ -677,6 +722,13 @@ TEST_CASE("answers that cannot be read are refused, and are no difference", "[cl
             " --format q8"},
        {header + good, ":2: is the end after 1 vectors, expected 2 as the header says"},
        {header + good + good + good, ":4: is the end after 3 vectors, expected 2 as the header says"},
+       {"# blysk vectors --device " + kDevice +
+            " --format q8; 99999999999999999999 vectors of n cos r g b\n" + good,
+        ":1: is no header, expected what blysk vectors wrote in its first line"},
+       {header.substr(0, 40) + "\n" + good,
+        ":1: is no header, expected what blysk vectors wrote in its first line"},
+       {"# blysk vectors --device " + kDevice + " --format q8; 1 vectors of cos n r g b\n" + good,
+        ":1: has vectors of cos n r g b, expected n cos r g b"},
        {"", ": has no vectors, expected lines of n cos r g b red green blue"},
        {good + "001 100 ff ff ff ff00 ff00\n", ":2: ends before blue, expected n cos r g b red green blue"},
        {good + "001 100 f", ":2: ends before g, expected n cos r g b red green blue"},

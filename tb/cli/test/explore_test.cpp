@@ -178,7 +178,7 @@ TEST_CASE("explore refuses bad use and bad files in one line", "[explore]") {
   fails("--clock 50MHz", "expected --tolerance with it");
   fails("--device nothing", "device nothing does not exist");
   fails("--format q9", "format q9 does not exist");
-  fails("--json --csv", "see blysk --help");
+  fails("--json --csv", "see blysk explore --help");
   for (const char* form : {"--csv", "--markdown", "--html x.html"})
     fails(std::string("--tolerance 0.1 ") + form,
           "is no form of what is cheapest, expected a text or --json");

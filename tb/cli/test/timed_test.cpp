@@ -217,6 +217,8 @@ TEST_CASE("what the engine timed cannot do is said in a line", "[timed]") {
   fails(of + " --settling " + quoted(folder.path("s.csv")), "--settling is about delays");
   fails(of + " --engine systemc --vcd-deltas", "--vcd-deltas is about the waves of --vcd");
   fails(of + " --engine timed --delays " + quoted(folder.path("none.json")), "none.json: cannot be read");
+  fails(of + " --engine timed --delays " + quoted(folder.path("")), ": cannot be read (Is a directory)");
+  fails("settle --format q8 --delays " + quoted(folder.path("")), ": cannot be read (Is a directory)");
   fails(of + " --engine nosuch", "expected golden, bit, systemc, verilator, timed");
 
   // Delays of another Verilog.
@@ -228,6 +230,6 @@ TEST_CASE("what the engine timed cannot do is said in a line", "[timed]") {
   fails(of + " --engine timed" + given, "d.json: belongs to another Verilog (sha256:");
   fails("settle --format q8" + given, "d.json: belongs to another Verilog (sha256:");
   fails("settle --format q12 --delays " + quoted(folder.write("e.json", delays)), "expected those of device");
-  fails("settle --format q8 --pairs 1", "--pairs is 1, expected 10 to");
+  fails("settle --format q8 --pairs 1", "--pairs: is '1', expected a whole number from 10 to 1000000000");
   fails("settle --format q24 --as-published", "were not measured");
 }
