@@ -45,7 +45,7 @@ class line_reader::descriptor {
 
 line_reader::line_reader(const std::string& path, std::string_view what)
     : path_(path == "-" ? "standard input" : path), what_(what), buffer_(kFirstBufferBytes) {
-  if (std::error_code ignored; std::filesystem::is_directory(path, ignored)) {
+  if (std::error_code ignored; path != "-" && std::filesystem::is_directory(path, ignored)) {
     throw file_error(path_, 0, fmt::format("is a directory, expected {}", what_));
   }
   errno = 0;

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cctype>
+#include <filesystem>
 #include <string_view>
+#include <system_error>
 
 #include "tb/run_tool.h"
 #include "tb/usage_error.h"
@@ -55,8 +57,12 @@ void waves_file::commit(bool is_whole) {
 }
 
 void waves_file::convert() {
-  if (!runs_well({kConverter, seen_by_others(recorded_.temporary_path()),
-                  seen_by_others(converted_->temporary_path())}))
+  const std::string& made = converted_->temporary_path();
+  const bool is_well =
+      runs_well({kConverter, seen_by_others(recorded_.temporary_path()), seen_by_others(made)});
+  // A good status is no proof that it wrote.
+  std::error_code error;
+  if (!is_well || std::filesystem::file_size(made, error) == 0 || error)
     throw file_error(path_, 0, "cannot be made: vcd2fst failed, expected room for the waves");
 }
 

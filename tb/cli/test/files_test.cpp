@@ -194,6 +194,54 @@ TEST_CASE("hard links and links into nothing lead where they did", "[cli][files]
   check_message(slurp(folder.path("error")), "other.csv: is given by --stimulus and --results");
 }
 
+TEST_CASE("a file that is read through standard input is not written over", "[cli][files]") {
+  const scratch folder;
+  folder.write("in.csv", kRow);
+  const auto refused = [&](const std::string& command) {
+    CAPTURE(command);
+    CHECK(shell(folder, command + " 2>error") == 2);
+    check_message(slurp(folder.path("error")), "expected different files");
+    CHECK(slurp(folder.path("in.csv")) == kRow);
+  };
+  refused("\"$BLYSK\" simulate --stimulus - --results in.csv <in.csv");
+  refused("\"$BLYSK\" simulate --stimulus - --results - <in.csv 1<>in.csv");
+  refused("\"$BLYSK\" simulate --stimulus in.csv --results - >>in.csv");
+  // A terminal or a pipe is no such file.
+  CHECK(shell(folder, "cat in.csv | \"$BLYSK\" simulate --stimulus - --results in.csv >/dev/null") == 0);
+}
+
+TEST_CASE("a folder of the name - is not standard input", "[cli][files]") {
+  const scratch folder;
+  folder.write("in.csv", kRow);
+  fs::create_directory(folder.path("-"));
+  CHECK(shell(folder, "\"$BLYSK\" simulate --stimulus - --results out.csv <in.csv >/dev/null") == 0);
+  CHECK(slurp(folder.path("out.csv")).starts_with(kResult));
+}
+
+TEST_CASE("waves that vcd2fst did not write are refused", "[cli][files]") {
+  const scratch folder;
+  folder.write("in.csv", kRow);
+  folder.write("vcd2fst", "#!/bin/sh\nexit 0\n");
+  const std::string simulate =
+      "chmod +x vcd2fst && PATH=\"$PWD:$PATH\" \"$BLYSK\" simulate --format q8 --engine systemc --stimulus "
+      "in.csv"
+      " --results out.csv --vcd w.fst 2>error";
+  CHECK(shell(folder, simulate) == 2);
+  check_message(slurp(folder.path("error")), "w.fst: cannot be made: vcd2fst failed");
+  CHECK(sorted_names(folder) == std::vector<std::string>{"error", "in.csv", "vcd2fst"});
+}
+
+TEST_CASE("help and version that cannot be printed say why", "[cli][files]") {
+  const scratch folder;
+  for (const std::string arguments : {"--version", "--help", "simulate --help"}) {
+    CAPTURE(arguments);
+    CHECK(shell(folder, "\"$BLYSK\" " + arguments + " >/dev/full 2>error") == 2);
+    check_message(slurp(folder.path("error")), "cannot be written (No space left on device)");
+    CHECK(shell(folder, "\"$BLYSK\" " + arguments + " >&- 2>error") == 2);
+    check_message(slurp(folder.path("error")), "cannot be written (Bad file descriptor)");
+  }
+}
+
 TEST_CASE("a limit of size or of time leaves nothing behind", "[cli][files]") {
   const scratch folder;
   const std::string endless = "(echo n,cos,r,g,b; yes 10,0.5,1,2,3) | ";
