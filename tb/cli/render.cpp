@@ -4,14 +4,18 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <charconv>
 #include <chrono>
 #include <cmath>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string_view>
 #include <systemc>
 #include <thread>
+#include <type_traits>
 #include <vector>
 
 #include "tb/cli/animation.h"
@@ -23,6 +27,7 @@
 #include "tb/harness/systemc_engine.h"
 #include "tb/output_file.h"
 #include "tb/progress.h"
+#include "tb/read_number.h"
 #include "tb/render/render.h"
 #include "tb/render/report.h"
 #include "tb/scene/read_scene.h"
@@ -70,11 +75,18 @@ std::vector<Number> numbers_of(const std::string& option, const std::string& tex
   const char* next = text.data();
   const char* const end = text.data() + text.size();
   while (true) {
-    Number value{};
-    const auto [behind, error] = std::from_chars(next, end, value);
-    const bool ends = behind == end || *behind == separator;
-    if (error != std::errc{} || !ends) break;
-    numbers.push_back(value);
+    const char* const behind = std::find(next, end, separator);
+    const std::string_view word(next, behind);
+    if constexpr (std::is_floating_point_v<Number>) {
+      const std::optional<double> value = read_real(word);
+      if (!value) break;
+      numbers.push_back(*value);
+    } else {
+      Number value{};
+      const auto [stop, error] = std::from_chars(next, behind, value);
+      if (error != std::errc{} || stop != behind) break;
+      numbers.push_back(value);
+    }
     if (behind == end) return numbers;
     next = behind + 1;
   }
@@ -272,9 +284,23 @@ bool takes_stdout(const options& asked) {
          is_standard_output(asked.compare);
 }
 
+/// A picture is PNG whatever its name, so the name of another form would lie.
+void expect_png(const std::string& path) {
+  std::string ending = std::filesystem::path(path).extension().string();
+  std::ranges::transform(ending, ending.begin(), [](char each) {
+    return static_cast<char>(std::tolower(static_cast<unsigned char>(each)));
+  });
+  for (const std::string_view other : {".jpg", ".jpeg", ".ppm", ".pgm", ".pnm", ".bmp", ".gif", ".tif",
+                                       ".tiff", ".tga", ".webp", ".exr", ".hdr", ".svg", ".pdf", ".eps"}) {
+    if (ending == other) throw file_error(path, 0, "names another form of picture, expected .png");
+  }
+}
+
 void check(const options& asked) {
   expect_different_files({"--output", "--report", "--vcd", "--units-vcd", "--compare", "--film"},
                          {asked.output, asked.report, asked.vcd, asked.units_vcd, asked.compare, asked.film});
+  if (asked.frames == 0) expect_png(asked.output);
+  expect_png(asked.compare);
   if (asked.frames > 0 && !(asked.watch.empty() && asked.vcd.empty() && asked.compare.empty()))
     throw usage_error(
         "--animate goes with --output, --film and --report, expected no --watch, --vcd or --compare");
@@ -518,6 +544,10 @@ void run(const CLI::App& verb, options asked) {
                   .spans = spans.source()};
   set_options(asked, job);
   job.energy = energy;
+  for (const char* option : {"--segment", "--segment-limit", "--segment-measure", "--segment-inner"}) {
+    if (asked.renderer != "segments" && verb.count(option) > 0)
+      throw usage_error(fmt::format("{} is about segments, expected --renderer segments", option));
+  }
   const auto watch = watch_of(asked, job);
   const auto around = [&] {
     render::circumstances in{asked.scene,      asked.engine,
@@ -609,7 +639,7 @@ void add_render(CLI::App& program) {
       ->check(CLI::IsMember({"z-buffer", "segments"}))
       ->capture_default_str();
   verb->add_option("--segment", asked->by_segments.length, "of renderer segments: pixels from end to end")
-      ->check(CLI::Range(1, kMostPixels))
+      ->transform(whole_number(1, kMostPixels))
       ->capture_default_str();
   verb->add_option("--segment-limit", asked->by_segments.limit,
                    "the largest difference of its ends at which a segment is interpolated")
@@ -654,7 +684,7 @@ void add_render(CLI::App& program) {
   verb->add_option(
           "--animate", asked->frames,
           "frames of a whole turn of the object, OUTPUT-0001.png and so on; the report has one for each")
-      ->check(whole_number(1, 9999));
+      ->transform(whole_number(1, 9999));
   verb->add_option(
           "--process-runs", asked->process_runs,
           "on: the report says how often SystemC's processes ran, which takes time; off: 0 in its place")
@@ -678,11 +708,11 @@ void add_render(CLI::App& program) {
   verb->add_option("--target", asked->target, "X,Y,Z of what it looks at");
   verb->add_option("--fov", asked->fov_deg, "degrees over the shorter side")->check(CLI::Range(0.001, 179.0));
   verb->add_option("--exponent", asked->exponent, "of all materials, in place of their own")
-      ->check(whole_number(1, 1000));
+      ->transform(whole_number(1, 1000));
   verb->add_option("--density", asked->density, "of a built-in shape's mesh")
-      ->check(whole_number(scene::kLeastDensity, scene::kMostDensity));
+      ->transform(whole_number(scene::kLeastDensity, scene::kMostDensity));
   verb->add_option("--threads", asked->threads, "of the host")
-      ->check(whole_number(1, 256))
+      ->transform(whole_number(1, 256))
       ->capture_default_str();
   for (CLI::Option* each : verb->get_options({})) {
     if (each->get_expected_max() == 1) each->take_last();  // a script's own come first

@@ -442,6 +442,22 @@ TEST_CASE("a direction is one however short", "[cli][render]") {
   }
 }
 
+TEST_CASE("a number too small for a double is 0", "[cli][render]") {
+  const scratch folder;
+  rendered(folder, "sphere --size 8x8 --ambient 1e-400,+.5,0 --light 1e-400,0,1");
+}
+
+TEST_CASE("a picture has no name of another form", "[cli][render]") {
+  const scratch folder;
+  for (const std::string name : {"x.jpg", "x.PPM", "x.gif"}) {
+    const outcome failed =
+        run_blysk(folder, "render sphere --size 8x8 --output " + quoted(folder.path(name)));
+    CHECK(failed.status == 2);
+    CHECK(failed.err.ends_with(name + ": names another form of picture, expected .png\n"));
+  }
+  CHECK(folder.names().empty());
+}
+
 TEST_CASE("bad use is one line, and no file is written", "[cli][render]") {
   const scratch folder;
   const std::vector<std::pair<std::string, std::string>> cases{
@@ -464,6 +480,9 @@ TEST_CASE("bad use is one line, and no file is written", "[cli][render]") {
       {"sphere --eye 0,0,0 --target 0,0,0", "camera: eye and target are one place, expected two"},
       {"sphere --eye 0,9,0 --target 0,0,0", "camera: up points where the camera looks"},
       {"sphere --fov 180", "--fov"},
+      {"sphere --segment 4", "--segment is about segments, expected --renderer segments"},
+      {"sphere --renderer z-buffer --segment-inner cubic", "--segment-inner is about segments"},
+      {"sphere --compare y.JPG", "y.JPG: names another form of picture, expected .png"},
       {"sphere --exponent 1001", "--exponent"},
       {"sphere --density 1", "--density"},
       {"sphere --watch 600,0", "--watch is 600,0, expected pixels of a picture of 512 x 512"},
