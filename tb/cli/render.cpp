@@ -518,7 +518,7 @@ void run(const CLI::App& verb, options asked) {
   apply(asked, read.of);
   for (const std::string& each : read.of.messages)
     fmt::print(stderr, "blysk: {}: {}\n", printable(asked.scene), printable(each));
-  const engine_choice& choice = find_engine(asked.engine);
+  const engine_choice choice = find_engine(asked.engine);
   const selection device = asked.device.choose(choice.serves);
   const render::normalisation energy = normalisation_of(asked.normalisation);
   // What the report says of processes takes time, and is counted for it alone.

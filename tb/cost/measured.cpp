@@ -82,9 +82,9 @@ void add_host_times(std::vector<configuration>& all, const named_text& file) {
   const json times = parse_json(file.path, file.text);
   try {
     for (const json& row : times.at("rows")) {
+      const std::string device = row.at("device"), format = row.at("format");
       for (configuration& each : all) {
-        if (each.asked.of().name() != row.at("device") || each.asked.format() != row.at("format") ||
-            !each.asked.is_preset())
+        if (each.asked.of().name() != device || each.asked.format() != format || !each.asked.is_preset())
           continue;
         each.host[row.at("engine")] = {row.at("seconds"), row.at("ratio")};
       }
