@@ -39,6 +39,10 @@ const referee& apart() {
 const std::map<std::string, number_of_exponent>& numbers_of() {
   static const std::map<std::string, number_of_exponent> all{
       {"exact_coefficient", [](const referee& n) { return golden::exact_coefficient(n); }},
+      {"power_at_root",
+       [](const referee& n) {
+         return n <= 2 ? referee(0) : golden::blinn<referee>(n, referee((n - 2) / (n + 1)));
+       }},
       {"rational_fall", [](const referee& n) { return golden::rational_lobe<referee>(n).r; }},
       {"rational_rise", [](const referee& n) {
          const golden::rational_lobe<referee> lobe(n);

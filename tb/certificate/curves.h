@@ -13,8 +13,8 @@
 
 namespace blysk {
 
-/// A number of an exponent: "exact_coefficient" of [P] (9); "rational_fall" and "rational_rise", r and d of the golden
-/// function rational.
+/// A number of an exponent: "exact_coefficient" of [P] (9); "power_at_root", c^n at the root (n - 2)/(n + 1) of the
+/// cosine-quadratic, 0 up to n = 2; "rational_fall" and "rational_rise", r and d of the golden function rational.
 using number_of_exponent = std::function<golden::referee(const golden::referee& n)>;
 const std::map<std::string, number_of_exponent>& numbers_of();
 

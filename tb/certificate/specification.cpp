@@ -38,7 +38,6 @@ bool take_line(const std::string& word, const std::string& rest, specification& 
   static const std::regex curve(
       R"((\w+) \+ (\w+) \* (\w+) ~ (\w+) = (\w+) from (\S+) over (\S+), half ([^ ,]+)(, relative)?)");
   static const std::regex groups(R"((\w+)((?: \d+(?:/\d+)?)+)(?: where (.+))?)");
-  static const std::regex valued(R"((.+): (\S+))");
   static const std::regex valued_if(R"((.+): (\S+)(?: if (.+))?)");
   static const std::regex sign(R"((.+) >= 0)");
   std::smatch found;
@@ -61,8 +60,8 @@ bool take_line(const std::string& word, const std::string& rest, specification& 
     to.groups.push_back(made);
   } else if (word == "case" && matches(valued_if)) {
     to.cases.push_back({found[1], found[2], found[3]});
-  } else if (word == "where" && matches(valued)) {
-    to.ways.push_back({found[1], found[2], ""});
+  } else if (word == "where" && matches(valued_if)) {
+    to.ways.push_back({found[1], found[2], found[3]});
   } else if (word == "fact") {
     to.facts.push_back(rest);
   } else if (word == "claim") {

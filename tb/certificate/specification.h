@@ -16,11 +16,12 @@
 ///                                          constant `half` more, for a cut to be a rounding. With ", relative" at the end the
 ///                                          relative error is told too
 ///   groups NET N1 N2 ... [where CONDITION] the addresses from 0, N1, N2, ... on are told apart; on a way with the condition
-///                                          alone, if there is one. x/y stands for that part of the addresses
+///                                          alone, if there is one. x/y stands for that part of the addresses. Groups of two
+///                                          nets on one way: each of the one with each of the other
 ///   claim FORMULA                          proved of the formula, then given
 ///   case NAME >= 0: VALUE [if FORMULA]     the exact BRDF there; if it is that where a formula holds, this is proved too
 ///   case NAME <= 0: VALUE [if FORMULA]
-///   where CONDITION: VALUE                 the exact BRDF on a way through the netlist with this condition
+///   where CONDITION: VALUE [if FORMULA]    the exact BRDF on a way through the netlist with this condition; the same
 ///   hint EXPRESSION -> EXPRESSION          a rewriting rule; Gappa proves it
 ///   split WHAT                             cases that Gappa tries one by one
 #pragma once

@@ -209,7 +209,8 @@ class reader {
     return {.text = fmt::format("({} * {})", code, dyadic(1, format.frac)), .scale = format.frac};
   }
 
-  /// a_i 2^-places_i: a way for each number of places, of which "<net>_weight" is the 2^-places_i.
+  /// a_i 2^-places_i: a way for each number of places, of which "<net>_weight" is the 2^-places_i. What was rounded down to
+  /// the last place before is rounded down once for both.
   number shifted_by_number() {
     const std::int64_t most = now_.part->described("places_i").carries->max;
     const number places = value_of_name("places_i");
@@ -218,10 +219,9 @@ class reader {
     path.conditions.push_back(fmt::format("{} >= {}", places.text, taken));
     path.conditions.push_back(fmt::format("{} <= {}", places.text, taken));
     path.definitions.push_back(fmt::format("{}_weight = 1b-{};", places.text, taken));
-    number a = value_of_name("a_i");
-    a.floored.clear();
-    if (taken == 0) return a;
-    return rounded_down(fmt::format("({} * {})", a.text, dyadic(1, static_cast<int>(taken))), now_.frac);
+    const number a = value_of_name("a_i");
+    const std::string& exact = a.floored.empty() ? a.text : a.floored;
+    return rounded_down(fmt::format("({} * {})", exact, dyadic(1, static_cast<int>(taken))), now_.frac);
   }
 
   /// Names a value that is rounded down to a number of fraction bits.

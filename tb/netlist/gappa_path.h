@@ -52,7 +52,8 @@ struct gappa_netlist {
 /// floor((floor(x) + k) / 2^d) is taken as floor((x + k) / 2^d), k an integer; both are equal. Nets are taken not to wrap,
 /// what no_overflow() of the device's formats excludes for legal inputs. Dividers, normalisers and barrel shifters have laws
 /// of many selections. They are taken as what they say of themselves, what their own tests show: the quotient, rounded down;
-/// a_i = m_o 2^(-zeros_o - 1), of which both are free numbers; and a way for each number of places.
+/// a_i = m_o 2^(-zeros_o - 1), of which both are free numbers; and a way for each number of places, floor(floor(x) / 2^d)
+/// being floor(x / 2^d).
 /// \param result  name of the net
 /// \throws std::logic_error for a law that cannot be told to Gappa
 gappa_netlist read_gappa(const elaborated& device, const std::string& result, planted_fault fault);
