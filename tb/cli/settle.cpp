@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -184,77 +185,91 @@ std::string row_text(const std::vector<port>& data, const write_codes& codes) {
   return text;
 }
 
-/// What a read one step too early gives.
-struct wrong_bit {
+/// A gap, and what a read one step below it gives.
+struct judged_gap {
+  std::uint64_t ps = 0;
   std::string output;
-  int bit = -1;
+  int bit = -1;  ///< the highest that is wrong
   std::int64_t got = 0, expected = 0;
+
+  double ns() const { return static_cast<double>(ps) / 1e3; }
 };
 
-void run(const options& asked) {
-  const selection device = asked.device.choose();
-  const device_delays delays = cost::read_delays(asked.delays, device, cost::digest_of(device));
-  harness::settling_bench bench(device, delays);
-  input_maker make(device, asked.seed);
-  const finding found = search(bench, make, asked.pairs);
-  const pair_of_writes& worst = found.worst;
-  const std::uint64_t gap = worst.settled.after;
-  if (gap == 0) throw std::runtime_error("no output changed in all the pairs that were tried");
-  if (gap > static_cast<std::uint64_t>(delays.bound_ps))
-    throw std::logic_error(fmt::format("an output changed after {} ps, beyond the bound", gap));
-
-  // The gap itself, with strobes: right with it, wrong one step below.
+/// The worst pair with strobes: right with its gap, wrong one step below.
+/// \throws std::logic_error where it is not
+judged_gap judge(harness::settling_bench& bench, const pair_of_writes& worst, const selection& device) {
+  judged_gap judged;
+  judged.ps = worst.settled.after;
+  const auto read_after = [&](std::uint64_t gap) {
+    bench.write(worst.before);
+    return bench.read_after(worst.after, gap);
+  };
   bench.write(worst.before);
   bench.write(worst.after);
   const std::vector<std::int64_t> expected = bench.outputs();
-  bench.write(worst.before);
-  if (bench.read_after(worst.after, gap) != expected)
+  if (read_after(judged.ps) != expected)
     throw std::logic_error("the outputs are wrong at the gap that was found");
-  bench.write(worst.before);
-  const std::vector<std::int64_t> early = bench.read_after(worst.after, gap - 1);
-  wrong_bit wrong;
+  const std::vector<std::int64_t> early = read_after(judged.ps - 1);
   std::vector<port> outputs = of_role(device.of().ports(device), port::role::result);
   std::erase_if(outputs, [](const port& each) { return each.is_inner; });
-  for (std::size_t i = 0; i < outputs.size() && wrong.bit < 0; ++i) {
-    const auto differing = static_cast<std::uint64_t>(early[i] ^ expected[i]);
-    for (int bit = outputs[i].width() - 1; bit >= 0 && wrong.bit < 0; --bit) {
-      if ((differing >> bit & 1) != 0) wrong = {outputs[i].wave, bit, early[i], expected[i]};
-    }
+  for (std::size_t i = 0; i < outputs.size(); ++i) {
+    if (early[i] == expected[i]) continue;
+    const auto differing =
+        static_cast<std::uint64_t>(early[i] ^ expected[i]) & (~std::uint64_t{0} >> (64 - outputs[i].width()));
+    judged.output = outputs[i].wave;
+    judged.bit = static_cast<int>(std::bit_width(differing)) - 1;
+    judged.got = early[i];
+    judged.expected = expected[i];
+    return judged;
   }
-  if (wrong.bit < 0) throw std::logic_error("the outputs are right one step below the gap that was found");
+  throw std::logic_error("the outputs are right one step below the gap that was found");
+}
 
-  const auto ns = [](std::uint64_t ps) { return static_cast<double>(ps) / 1000; };
-  if (asked.json) {
-    nlohmann::ordered_json json{{"device", device.of().name()},
-                                {"format", device.format()},
-                                {"options", device.values()},
-                                {"smallest_gap_ns", ns(gap)},
-                                {"seen_ns", ns(gap)},
-                                {"bound_ns", delays.bound_ps / 1e3},
-                                {"one_delay_a_block_ns", delays.blocks_bound_ps / 1e3},
-                                {"path_ns", delays.path_ps() / 1e3},
-                                {"busy_ns", ns(found.busy_for)},
-                                {"smallest_period_ns", 2 * ns(gap)},
-                                {"step_ns", 0.001},
-                                {"pairs_tried", found.all()},
-                                {"corners", found.tried[0]},
-                                {"random", found.tried[1]},
-                                {"guided", found.tried[2]},
-                                {"seed", asked.seed}};
-    const auto codes = [&](const write_codes& of) {
-      nlohmann::ordered_json row;
-      for (std::size_t i = 0; i < of.size(); ++i) row[make.data()[i].column] = of[i];
-      return row;
-    };
-    json["worst"] = {{"before", codes(worst.before)}, {"after", codes(worst.after)}};
-    json["one_step_below"] = {
-        {"signal", wrong.output}, {"bit", wrong.bit}, {"got", wrong.got}, {"expected", wrong.expected}};
-    json["digest"] = delays.digest;
-    json["tools"] = delays.tools;
-    fmt::print("{}\n", json.dump(2));
-    return;
-  }
-  fmt::print(
+/// All that is told of a device.
+struct answer {
+  selection device;
+  device_delays delays;
+  std::vector<port> data;
+  std::uint64_t seed;
+  finding found;
+  judged_gap gap;
+};
+
+nlohmann::ordered_json json_of(const answer& told) {
+  nlohmann::ordered_json json{{"device", told.device.of().name()},
+                              {"format", told.device.format()},
+                              {"options", told.device.values()},
+                              {"smallest_gap_ns", told.gap.ns()},
+                              {"seen_ns", told.gap.ns()},
+                              {"bound_ns", told.delays.bound_ps / 1e3},
+                              {"one_delay_a_block_ns", told.delays.blocks_bound_ps / 1e3},
+                              {"path_ns", told.delays.path_ps() / 1e3},
+                              {"busy_ns", static_cast<double>(told.found.busy_for) / 1e3},
+                              {"smallest_period_ns", 2 * told.gap.ns()},
+                              {"step_ns", 0.001},
+                              {"pairs_tried", told.found.all()},
+                              {"corners", told.found.tried[0]},
+                              {"random", told.found.tried[1]},
+                              {"guided", told.found.tried[2]},
+                              {"seed", told.seed}};
+  const auto codes = [&](const write_codes& of) {
+    nlohmann::ordered_json row;
+    for (std::size_t i = 0; i < of.size(); ++i) row[told.data[i].column] = of[i];
+    return row;
+  };
+  json["worst"] = {{"before", codes(told.found.worst.before)}, {"after", codes(told.found.worst.after)}};
+  json["one_step_below"] = {{"signal", told.gap.output},
+                            {"bit", told.gap.bit},
+                            {"got", told.gap.got},
+                            {"expected", told.gap.expected}};
+  json["digest"] = told.delays.digest;
+  json["tools"] = told.delays.tools;
+  return json;
+}
+
+std::string text_of(const answer& told) {
+  const double gap = told.gap.ns();
+  return fmt::format(
       "smallest gap {:.3f} ns from the clock edge that loads the registers to the strobe's leading edge\n"
       "seen    {:.3f} ns, the last change of an output in {} pairs: {} of corners, {} random, {} guided, "
       "seed {}\n"
@@ -262,11 +277,25 @@ void run(const options& asked) {
       "path    {:.3f} ns, the longest by static timing\n"
       "pair    {}\n"
       "        {}\n"
-      "        at {:.3f} ns all outputs are right; at {:.3f} ns {} is {}, expected {}: bit {} is wrong\n",
-      ns(gap), ns(gap), found.all(), found.tried[0], found.tried[1], found.tried[2], asked.seed,
-      delays.bound_ps / 1e3, delays.blocks_bound_ps / 1e3, delays.path_ps() / 1e3,
-      row_text(make.data(), worst.before), row_text(make.data(), worst.after), ns(gap), ns(gap - 1),
-      wrong.output, wrong.got, wrong.expected, wrong.bit);
+      "        at {:.3f} ns all outputs are right; at {:.3f} ns {} is {}, expected {}: bit {} is wrong",
+      gap, gap, told.found.all(), told.found.tried[0], told.found.tried[1], told.found.tried[2], told.seed,
+      told.delays.bound_ps / 1e3, told.delays.blocks_bound_ps / 1e3, told.delays.path_ps() / 1e3,
+      row_text(told.data, told.found.worst.before), row_text(told.data, told.found.worst.after), gap,
+      gap - 1e-3, told.gap.output, told.gap.got, told.gap.expected, told.gap.bit);
+}
+
+void run(const options& asked) {
+  const selection device = asked.device.choose();
+  const device_delays delays = cost::read_delays(asked.delays, device, cost::digest_of(device));
+  harness::settling_bench bench(device, delays);
+  input_maker make(device, asked.seed);
+  const finding found = search(bench, make, asked.pairs);
+  const std::uint64_t gap = found.worst.settled.after;
+  if (gap == 0) throw std::runtime_error("no output changed in all the pairs that were tried");
+  if (gap > static_cast<std::uint64_t>(delays.bound_ps))
+    throw std::logic_error(fmt::format("an output changed after {} ps, beyond the bound", gap));
+  const answer told{device, delays, make.data(), asked.seed, found, judge(bench, found.worst, device)};
+  fmt::print("{}\n", asked.json ? json_of(told).dump(2) : text_of(told));
 }
 
 }  // namespace

@@ -161,25 +161,28 @@ std::vector<placed_arc> in_order(const std::string& name, std::vector<placed_arc
   return ordered;
 }
 
-block_delays measure_block(const std::string& name, const json& module,
-                           const std::map<std::string, std::vector<arc>>& arcs) {
-  block_delays result;
-  result.block = name;
-  std::vector<net> sources;
-  std::map<std::string, std::map<int, net>> ports[2];
-  std::vector<std::string> order[2];
-  for (const auto& [port, what] : module.at("ports").items()) {
-    const bool is_output = what.at("direction") == "output";
+/// Ports of one direction of a block: the nets of their bits, by name; names in the netlist's order.
+struct split_ports {
+  std::map<std::string, std::map<int, net>> nets;
+  std::vector<std::string> order;
+
+  void add(const std::string& port, const net& wire) {
     const auto [base, bit] = split(port);
-    if (!ports[is_output ? 1 : 0].contains(base)) order[is_output ? 1 : 0].push_back(base);
-    ports[is_output ? 1 : 0][base][bit] = net_of(what.at("bits").at(0));
+    if (!nets.contains(base)) order.push_back(base);
+    nets[base][bit] = wire;
   }
-  for (const std::string& input : order[0]) {
-    result.inputs.push_back({input, static_cast<int>(ports[0][input].size())});
-    for (const auto& [bit, wire] : ports[0][input]) sources.push_back(wire);
+  std::vector<timed_pin> pins() const {
+    std::vector<timed_pin> all;
+    for (const std::string& name : order) all.push_back({name, static_cast<int>(nets.at(name).size())});
+    return all;
   }
+};
+
+/// The arcs of the cells of a block, in_order().
+std::vector<placed_arc> place_arcs(const std::string& name, const json& cells,
+                                   const std::map<std::string, std::vector<arc>>& arcs) {
   std::vector<placed_arc> placed;
-  for (const auto& [cell, what] : module.at("cells").items()) {
+  for (const auto& [cell, what] : cells.items()) {
     const auto found = arcs.find(name + "." + cell);
     if (found == arcs.end())
       throw std::runtime_error(fmt::format("cell {}.{} has no delays in the SDF file", name, cell));
@@ -189,33 +192,56 @@ block_delays measure_block(const std::string& name, const json& module,
           {net_of(pins.at(each.from).at(0)), net_of(pins.at(each.to).at(0)), each.ps, each.follows});
     }
   }
-  placed = in_order(name, std::move(placed));
-  for (const std::string& output : order[1]) {
-    result.outputs.push_back({output, static_cast<int>(ports[1][output].size())});
-    result.ps.emplace_back(ports[1][output].size(), std::vector<int>(sources.size(), block_delays::kNoPath));
+  return in_order(name, std::move(placed));
+}
+
+/// When the edges of each net that a change of `source` reaches are over, ps.
+/// \param arcs  in_order()
+std::map<net, std::array<int, 2>> arrivals(const net& source, const std::vector<placed_arc>& arcs) {
+  std::map<net, std::array<int, 2>> arrival{{source, {0, 0}}};
+  for (const placed_arc& each : arcs) {
+    const auto from = arrival.find(each.from);
+    if (from == arrival.end()) continue;
+    const auto [in_rise, in_fall] = from->second;
+    const int any = std::max(in_rise, in_fall);
+    std::array<int, 2>& to =
+        arrival.try_emplace(each.to, std::array<int, 2>{block_delays::kNoPath, block_delays::kNoPath})
+            .first->second;
+    const int before_rise = each.follows == sense::positive   ? in_rise
+                            : each.follows == sense::negative ? in_fall
+                                                              : any;
+    const int before_fall = each.follows == sense::positive   ? in_fall
+                            : each.follows == sense::negative ? in_rise
+                                                              : any;
+    to[rise] = std::max(to[rise], before_rise + each.ps[rise]);
+    to[fall] = std::max(to[fall], before_fall + each.ps[fall]);
+  }
+  return arrival;
+}
+
+block_delays measure_block(const std::string& name, const json& module,
+                           const std::map<std::string, std::vector<arc>>& arcs) {
+  split_ports inputs, outputs;
+  for (const auto& [port, what] : module.at("ports").items())
+    (what.at("direction") == "output" ? outputs : inputs).add(port, net_of(what.at("bits").at(0)));
+  std::vector<net> sources;
+  for (const std::string& input : inputs.order) {
+    for (const auto& [bit, wire] : inputs.nets.at(input)) sources.push_back(wire);
+  }
+  const std::vector<placed_arc> placed = place_arcs(name, module.at("cells"), arcs);
+  block_delays result;
+  result.block = name;
+  result.inputs = inputs.pins();
+  result.outputs = outputs.pins();
+  for (const timed_pin& output : result.outputs) {
+    result.ps.emplace_back(static_cast<std::size_t>(output.width),
+                           std::vector<int>(sources.size(), block_delays::kNoPath));
   }
   for (std::size_t source = 0; source < sources.size(); ++source) {
-    std::map<net, std::array<int, 2>> arrival{{sources[source], {0, 0}}};
-    for (const placed_arc& each : placed) {
-      const auto from = arrival.find(each.from);
-      if (from == arrival.end()) continue;
-      const auto [in_rise, in_fall] = from->second;
-      const int any = std::max(in_rise, in_fall);
-      std::array<int, 2>& to =
-          arrival.try_emplace(each.to, std::array<int, 2>{block_delays::kNoPath, block_delays::kNoPath})
-              .first->second;
-      const int before_rise = each.follows == sense::positive   ? in_rise
-                              : each.follows == sense::negative ? in_fall
-                                                                : any;
-      const int before_fall = each.follows == sense::positive   ? in_fall
-                              : each.follows == sense::negative ? in_rise
-                                                                : any;
-      to[rise] = std::max(to[rise], before_rise + each.ps[rise]);
-      to[fall] = std::max(to[fall], before_fall + each.ps[fall]);
-    }
-    for (std::size_t i = 0; i < order[1].size(); ++i) {
+    const auto arrival = arrivals(sources[source], placed);
+    for (std::size_t i = 0; i < outputs.order.size(); ++i) {
       std::size_t bit = 0;
-      for (const auto& [number, wire] : ports[1][order[1][i]]) {
+      for (const auto& [number, wire] : outputs.nets.at(outputs.order[i])) {
         const auto found = arrival.find(wire);
         if (found != arrival.end())
           result.ps[i][bit][source] = std::max(found->second[rise], found->second[fall]);
@@ -253,10 +279,6 @@ std::vector<path_step> read_path(const std::string& path) {
   if (steps.empty()) throw file_error(path, 0, "has no path, expected what report_checks of OpenSTA prints");
   return steps;
 }
-
-}  // namespace
-
-namespace {
 
 /// The longest path from the clock through the blocks.
 /// \param cells  the top module's

@@ -56,8 +56,14 @@ class victim {
   /// The refusal has the words.
   void refuses(const scratch& folder, const std::string& words, const std::string& stimulus,
                const std::string& more = "") const {
-    const outcome got = run(folder, stimulus, more);
-    CAPTURE(device_.name(), more, stimulus, got.err);
+    CAPTURE(device_.name(), more, stimulus);
+    is_refused(run(folder, stimulus, more), words);
+    CHECK(!fs::exists(folder.path("out.csv")));
+  }
+
+  /// One line says so, and has the words.
+  static void is_refused(const outcome& got, const std::string& words) {
+    CAPTURE(got.err);
     CHECK(got.status == 2);
     CHECK(got.out.empty());
     CHECK(got.err.starts_with("blysk: "));
@@ -65,7 +71,6 @@ class victim {
     CHECK(got.err.ends_with('\n'));
     CHECK(got.err.find(words) != std::string::npos);
     CHECK(got.err.find("expected") != std::string::npos);
-    CHECK(!fs::exists(folder.path("out.csv")));
   }
 
  private:
@@ -151,12 +156,15 @@ TEST_CASE("every device refuses options that it does not have, and values that i
   });
 }
 
-TEST_CASE("engine timed is for devices with strobes", "[cli]") {
+TEST_CASE("engine timed and settle are for devices with strobes", "[cli]") {
   const scratch folder;
   for_devices(folder, [&](const victim& of) {
     if (protocol_of(of.of().ports(choose(of.of().name(), "q8", {}))) == protocol::strobes) return;
-    of.refuses(folder,
-               fmt::format("device {} takes its inputs by start and ready, expected one", of.of().name()),
-               victim::text(of.header(), of.good()), "--engine timed");
+    const std::string words =
+        fmt::format("device {} takes its inputs by start and ready, expected one", of.of().name());
+    of.refuses(folder, words, victim::text(of.header(), of.good()), "--engine timed");
+    CAPTURE(of.of().name());
+    victim::is_refused(run_blysk(folder, fmt::format("settle --device {} --format q8", of.of().name())),
+                       words);
   });
 }
