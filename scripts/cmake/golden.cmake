@@ -2,7 +2,7 @@
 # blysk_golden: the reference functions on real numbers. They share no code with rtl_sysc. Boost's headers are all they need.
 set(golden ${PROJECT_SOURCE_DIR}/tb/golden)
 add_library(blysk_golden STATIC ${golden}/angle.cpp ${golden}/errors.cpp ${golden}/hard_forms.cpp ${golden}/lobe.cpp
-            ${golden}/reflectance.cpp ${golden}/registry.cpp ${golden}/sphere.cpp)
+            ${golden}/reflectance.cpp ${golden}/registry.cpp ${golden}/sphere.cpp ${golden}/teapot.cpp)
 add_library(blysk::golden ALIAS blysk_golden)
 set_target_properties(blysk_golden PROPERTIES EXPORT_NAME golden)
 target_include_directories(blysk_golden PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tb/golden/teapot_patches.h"
 #include "tb/scene/material.h"
-#include "tb/scene/teapot_patches.h"
 
 namespace blysk::scene {
 namespace {
@@ -74,7 +74,7 @@ vec sum_of(const std::array<std::uint16_t, 16>& patch, const std::array<double, 
            const std::array<double, 4>& columns) {
   vec sum{0, 0, 0};
   for (std::size_t i = 0; i < patch.size(); ++i) {
-    const auto& point = kTeapotPoints[patch[i]];
+    const auto& point = golden::kTeapotPoints[patch[i]];
     sum = sum + rows[i / 4] * columns[i % 4] * vec{point[0], point[2], -point[1]};  // y upward
   }
   return sum;
@@ -110,7 +110,7 @@ mesh make_teapot(int density) {
   made.materials = {plain_material()};
   // Patches 20..27 and 28..31 have poles, and run the other way from those of rim, body, handle and spout or not: what
   // is outside follows from the normals, which append_grid() takes as they come.
-  for (const auto& patch : kTeapotPatches)
+  for (const auto& patch : golden::kTeapotPatches)
     append_grid(made, density, density, 0, [&](double u, double v) { return at_patch(patch, u, v); });
   return made;
 }

@@ -29,7 +29,7 @@ inline constexpr int kMostDensity = 1000;
 /// Radius 1: `density` rings of twice as many quadrangles.
 mesh make_sphere(int density);
 
-/// The 32 patches of teapot_patches.h, each cut into density x density quadrangles, y upward, the base at 0.
+/// The 32 patches of tb/golden/teapot_patches.h, each cut into density x density quadrangles, y upward, the base at 0.
 mesh make_teapot(int density);
 
 /// Around the y axis, radii 1 and 0.4: 2 density x density quadrangles.

@@ -6,7 +6,7 @@
 #include <array>
 #include <cstdint>
 
-namespace blysk::scene {
+namespace blysk::golden {
 
 // clang-format off
 /// Control points of the patches, four rows of four: rim, body, lid, handle, spout, bottom.
@@ -107,4 +107,4 @@ inline constexpr std::array<std::array<double, 3>, 290> kTeapotPoints{{
 }};
 // clang-format on
 
-}  // namespace blysk::scene
+}  // namespace blysk::golden
