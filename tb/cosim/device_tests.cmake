@@ -15,6 +15,7 @@
 #     family             specular: the proofs of tb/specular/formal and the errors against c^n hold for it;
 #                        pipelined: a device of tb/specular/pipelined.h
 #     unpiped            of a pipelined one: the device without registers between its blocks
+#     rounds_in_any_way  ON: its model of any word length drops bits in each way of tb/specular/rounding.h
 #     changed_reference  a sed command that spoils the inner result of reference.v, for family specular
 #     composition_faults NAME SED...: faults in the device's Verilog that the proof of composed.v has to notice
 #     protocol           strobes, handshake, or none: nothing is written to it

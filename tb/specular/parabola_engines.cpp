@@ -7,7 +7,7 @@
 
 namespace blysk::specular {
 
-free_shape shape_of(const word_lengths& bits, bool is_clamped) {
+free_shape shape_of(const word_lengths& bits, bool is_clamped, rounding how) {
   for (const auto& [name, width] : bits) {
     if (name != "cos" && name != "coefficient" && name != "square")
       throw std::invalid_argument(
@@ -21,8 +21,8 @@ free_shape shape_of(const word_lengths& bits, bool is_clamped) {
   // Of the nets of parabola_formats the square, UQ2.2F, and the parabola, SQ8.(K + D), are the widest.
   constexpr int kWidest = 64;
   const int parabola_width = 1 + 8 + at("coefficient") + at("square");
-  const free_shape shape{at("cos"), at("coefficient"), at("square"), is_clamped,
-                         law::has_headroom(parabola_width)};
+  const free_shape shape{
+      at("cos"), at("coefficient"), at("square"), is_clamped, law::has_headroom(parabola_width), how};
   const bool fits = shape.cos_bits >= 1 && shape.coefficient_bits >= 1 && shape.diff_bits >= shape.cos_bits &&
                     shape.diff_bits <= 2 * shape.cos_bits && 2 + 2 * shape.cos_bits < kWidest &&
                     parabola_width <= kWidest;

@@ -12,6 +12,7 @@
 
 #include "rtl_sysc/devices/parabola.h"
 #include "tb/specular/point_columns.h"
+#include "tb/specular/rounding.h"
 
 namespace blysk::specular {
 
@@ -23,6 +24,7 @@ struct fixed_shape {
   static constexpr int coefficient_bits = Formats::coefficient_bits;
   static constexpr int diff_bits = Formats::diff_bits;
   static constexpr bool is_clamped = Formats::lobe == negative_lobe::clamped;
+  static constexpr rounding how = rounding::nearest;
 
   using a_t = machine_int<typename Formats::a>;
   using cos_t = machine_int<typename Formats::cos_inv>;
@@ -42,6 +44,7 @@ struct free_shape {
   int diff_bits;
   bool is_clamped;
   bool has_headroom;  // half a unit of the result can be added to adder 11's sum
+  rounding how = rounding::nearest;
 
   using a_t = std::int64_t;
   using cos_t = std::int64_t;
@@ -52,11 +55,34 @@ struct free_shape {
   using out_t = std::int64_t;
 };
 
-/// The same with the headroom known to the compiler, so that the loop has no branch.
-template <bool HasHeadroom>
+/// The same with headroom and rounding known to the compiler, so that the loop has no branch.
+template <bool HasHeadroom, rounding How>
 struct free_shape_with : free_shape {
   static constexpr bool has_headroom = HasHeadroom;
+  static constexpr rounding how = How;
 };
+
+/// Calls `use` with the free_shape_with that the shape asks for.
+template <class Use>
+[[gnu::always_inline]] inline void with_known(const free_shape& shape, Use use) {
+  const auto rounded = [&]<rounding How>() __attribute__((always_inline)) {
+    if (shape.has_headroom) {
+      use(free_shape_with<true, How>{shape});
+    } else {
+      use(free_shape_with<false, How>{shape});
+    }
+  };
+  switch (shape.how) {
+    case rounding::nearest:
+      return rounded.template operator()<rounding::nearest>();
+    case rounding::even:
+      return rounded.template operator()<rounding::even>();
+    case rounding::truncate:
+      return rounded.template operator()<rounding::truncate>();
+    case rounding::jam:
+      return rounded.template operator()<rounding::jam>();
+  }
+}
 
 /// From registers 1 and 2 to the BRDF, [P] fig. 1.
 /// \param a  coefficient, raw, with coefficient_bits
@@ -70,14 +96,15 @@ template <class Shape>
   using product_t = typename Shape::product_t;
   constexpr cos_t carry28 = 1;
   constexpr product_t carry30 = 0;
-  const auto cos2 = static_cast<cos_t>(law::mul<square_t>(c, c, 2 * shape.cos_bits - shape.diff_bits));
+  const auto cos2 = static_cast<cos_t>(
+      drop_bits<Shape::how>(law::mul<square_t>(c, c, 0), 2 * shape.cos_bits - shape.diff_bits));
   const auto cos_inv = law::ones_complement<cos_t>(c, shape.diff_bits - shape.cos_bits);
   const auto diff = law::add<cos_t>(cos2, 0, cos_inv, 0, carry28);
   const auto a_diff = law::mul<product_t>(a, diff, 0);
   const int dropped = shape.coefficient_bits + shape.diff_bits - shape.cos_bits;
   const auto sum = law::add<product_t>(a_diff, 0, c, dropped, carry30);
   using rounded_t = typename Shape::rounded_t;
-  const auto rounded = static_cast<rounded_t>(law::round_off(sum, dropped, shape.has_headroom));
+  const auto rounded = static_cast<rounded_t>(drop_bits<Shape::how>(sum, dropped, shape.has_headroom));
   const rounded_t low = shape.is_clamped ? 0 : std::numeric_limits<rounded_t>::min();
   const rounded_t high = shape.is_clamped ? static_cast<rounded_t>(rounded_t{1} << shape.cos_bits)
                                           : std::numeric_limits<rounded_t>::max();

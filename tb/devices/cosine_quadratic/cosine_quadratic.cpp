@@ -134,7 +134,7 @@ class error_bound {
   std::vector<double> slope_error_, limit_, factor_;
 };
 
-class cosine_quadratic final : public specular::device_of_points {
+class cosine_quadratic final : public specular::device_of_points, public specular::rounded_in_any_way {
  public:
   std::string name() const override { return "cosine-quadratic"; }
   std::string title() const override { return "the square of a line in cos(gamma), 0 beyond its root"; }
@@ -257,6 +257,11 @@ class cosine_quadratic final : public specular::device_of_points {
   }
 
   std::unique_ptr<engine> make_bit(const selection& asked, const word_lengths& bits) const override {
+    return make_rounded(asked, bits, specular::rounding::nearest);
+  }
+
+  std::unique_ptr<engine> make_rounded(const selection& asked, const word_lengths& bits,
+                                       specular::rounding how) const override {
     const word_lengths known = widths(asked);
     std::string names;
     std::string values;
@@ -279,6 +284,7 @@ class cosine_quadratic final : public specular::device_of_points {
     if (shape.gates_by_limit) shape.limit_bits = bits.at("limit");
     if (shape.has_factor) shape.factor_bits = bits.at("factor");
     if (weighs_an_lsb(asked)) shape.weight_bits = shape.cos_bits;
+    shape.how = how;
     if (!fits(shape)) {
       throw std::invalid_argument(fmt::format(
           "word lengths {} do not fit, expected 1 <= cos <= 30, 1 <= slope <= 40, cos + slope <= 52, cos <= "

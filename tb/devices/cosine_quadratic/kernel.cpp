@@ -21,12 +21,19 @@ struct fixed_shape {
   static constexpr bool is_limited = Formats::is_limited;
   static constexpr bool gates_by_limit = Formats::gate == root_gate::limit;
   static constexpr bool has_factor = Formats::has_factor;
+  static constexpr specular::rounding how = specular::rounding::nearest;
 
   using product_t = specular::machine_int<typename Formats::line>;
   using rounded_t = specular::machine_int<sq<10, line_bits>>;
   using square_t = specular::machine_int<typename Formats::mul10::exact>;
   using scaled_t = std::conditional_t<has_factor, std::int64_t, square_t>;
   using out_t = std::conditional_t<(Formats::out::width <= 32), std::uint32_t, std::int64_t>;
+};
+
+/// Word lengths of the moment with the rounding known to the compiler, so that the loop has no branch.
+template <specular::rounding How>
+struct free_shape_with : free_shape {
+  static constexpr specular::rounding how = How;
 };
 
 /// From registers 1 and 2 to the BRDF.
@@ -51,13 +58,15 @@ template <class Shape>
       law::add<product_t>(product, 0, grounded, line_frac,
                           law::move_up<product_t>(carry29, shape.weight_bits == 0 ? line_frac : 0));
   // Half a unit fits beside it: |line| < 2^9 in a format of 10 integer bits.
-  const auto nearest = static_cast<rounded_t>(law::round_off(line, line_frac - shape.line_bits));
+  const auto nearest =
+      static_cast<rounded_t>(specular::drop_bits<Shape::how>(line, line_frac - shape.line_bits));
   const auto unity = static_cast<rounded_t>(rounded_t{1} << shape.line_bits);
   const rounded_t low =
       shape.is_limited ? static_cast<rounded_t>(-unity) : std::numeric_limits<rounded_t>::min();
   const rounded_t high = shape.is_limited ? unity : std::numeric_limits<rounded_t>::max();
   const auto rounded = static_cast<square_t>(law::clamp(nearest, low, high));
-  const auto square = law::mul<square_t>(rounded, rounded, 2 * shape.line_bits - shape.square_bits);
+  const auto square = specular::drop_bits<Shape::how>(law::mul<square_t>(rounded, rounded, 0),
+                                                      2 * shape.line_bits - shape.square_bits);
   bool is_off = false;
   if (shape.gates_by_limit) {
     const int frac = shape.square_bits > shape.limit_bits ? shape.square_bits : shape.limit_bits;
@@ -68,8 +77,9 @@ template <class Shape>
   }
   const auto lobe = static_cast<scaled_t>(law::gate<square_t>(square, static_cast<square_t>(is_off)));
   if (!shape.has_factor) return lobe;
-  return law::mul<scaled_t>(lobe, static_cast<scaled_t>(words.factor[address]),
-                            shape.square_bits + shape.factor_bits - shape.cos_bits);
+  return specular::drop_bits<Shape::how>(
+      law::mul<scaled_t>(lobe, static_cast<scaled_t>(words.factor[address]), 0),
+      shape.square_bits + shape.factor_bits - shape.cos_bits);
 }
 
 template <class Shape, class Columns>
@@ -107,7 +117,16 @@ template <class Shape, class Columns>
 
 BLYSK_VECTOR_CLONES void compute(const free_shape& shape, const memories& words,
                                  const specular::free_columns& io) {
-  shade(shape, words, io);
+  switch (shape.how) {
+    case specular::rounding::nearest:
+      return shade(free_shape_with<specular::rounding::nearest>{shape}, words, io);
+    case specular::rounding::even:
+      return shade(free_shape_with<specular::rounding::even>{shape}, words, io);
+    case specular::rounding::truncate:
+      return shade(free_shape_with<specular::rounding::truncate>{shape}, words, io);
+    case specular::rounding::jam:
+      return shade(free_shape_with<specular::rounding::jam>{shape}, words, io);
+  }
 }
 
 }  // namespace blysk::cosine_quadratic_device

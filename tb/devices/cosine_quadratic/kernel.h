@@ -7,6 +7,7 @@
 
 #include "rtl_sysc/devices/cosine_quadratic/formats.h"
 #include "tb/specular/point_engines.h"
+#include "tb/specular/rounding.h"
 
 namespace blysk::cosine_quadratic_device {
 
@@ -23,6 +24,7 @@ struct memories {
 struct free_shape {
   int cos_bits, slope_bits, line_bits, square_bits, limit_bits, factor_bits, weight_bits;
   bool is_limited, gates_by_limit, has_factor;
+  specular::rounding how = specular::rounding::nearest;
 
   using product_t = std::int64_t;
   using rounded_t = std::int64_t;

@@ -3,8 +3,10 @@
 #include <cmath>
 #include <vector>
 
+#include "rtl_sysc/devices/cosine_quadratic/formats.h"
 #include "tb/catch.h"
 #include "tb/inputs.h"
+#include "tb/specular/rounding.h"
 #include "tb/specular/specular.h"
 
 namespace {
@@ -95,6 +97,47 @@ TEST_CASE("an energy factor multiplies the lobe", "[lobe]") {
         // Either is within its bound, less than 1 ulp, of the exact one.
         REQUIRE(std::fabs(static_cast<double>(scaled[n][code]) - by * static_cast<double>(lobe[n][code])) <
                 1 + by);
+      }
+    }
+  }
+}
+
+TEST_CASE("the model rounds line, square and product in each way", "[lobe]") {
+  using real = long double;
+  const auto rounded = [](real x, int bits, rounding how) {
+    const real scaled = std::ldexp(x, bits);
+    const real below = std::floor(scaled);
+    real whole = below;
+    if (how == rounding::nearest) whole = std::floor(scaled + 0.5L);
+    if (how == rounding::even) whole = std::nearbyint(scaled);
+    if (how == rounding::jam && scaled != below && std::fmod(below, 2) == 0) whole = below + 1;
+    return std::ldexp(whole, -bits);
+  };
+  const word_lengths bits{{"cos", 7}, {"slope", 5}, {"line", 9}, {"square", 10}, {"factor", 6}};
+  const selection asked = choose("cosine-quadratic", "q8", {{"energy", "safe"}});
+  const auto& of = dynamic_cast<const rounded_in_any_way&>(asked.of());
+  constexpr int kCodes = 129;
+  for (const auto& [how, name, what] : kRoundings) {
+    const auto model = of.make_rounded(asked, bits, how);
+    columns in({storage::u16, storage::u32, storage::u8, storage::u8, storage::u8});
+    columns out;
+    in.resize(kCodes);
+    for (int n = 1; n <= 1000; n += n < 20 ? 1 : 49) {
+      for (std::size_t code = 0; code < kCodes; ++code) {
+        in[kN].set(code, n);
+        in[kCos].set(code, static_cast<std::int64_t>(code));
+        for (const std::size_t colour : {kRed, kGreen, kBlue}) in[colour].set(code, 0);
+      }
+      model->run(in, out);
+      const real slope = std::ldexp(static_cast<real>(slope_word(static_cast<std::uint64_t>(n), 5)), -5);
+      const real factor =
+          std::ldexp(static_cast<real>(safe_factor_word(static_cast<std::uint64_t>(n), 6)), -6);
+      for (std::size_t code = 0; code < kCodes; ++code) {
+        const real line = slope * (std::ldexp(static_cast<real>(code), -7) - 1) + 1;
+        const real limited = std::fmax(-1, std::fmin(1, rounded(line, 9, how)));
+        const real square = line < 0 ? 0 : rounded(limited * limited, 10, how);
+        CAPTURE(name, n, code);
+        REQUIRE(static_cast<real>(out[kBrdf].get(code)) == std::ldexp(rounded(square * factor, 7, how), 7));
       }
     }
   }

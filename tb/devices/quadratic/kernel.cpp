@@ -45,11 +45,8 @@ template <class Shape, class Columns>
 
 BLYSK_VECTOR_CLONES void compute(const specular::free_shape& shape, const wired_constants& wired,
                                  const specular::free_columns& io) {
-  if (shape.has_headroom) {
-    shade_line(specular::free_shape_with<true>{shape}, wired, io);
-  } else {
-    shade_line(specular::free_shape_with<false>{shape}, wired, io);
-  }
+  specular::with_known(
+      shape, [&](const auto& known) __attribute__((always_inline)) { shade_line(known, wired, io); });
 }
 
 }  // namespace blysk::quadratic_device

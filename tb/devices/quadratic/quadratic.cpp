@@ -32,7 +32,7 @@ wired_constants wires(const selection& asked) {
 
 namespace {
 
-class quadratic final : public specular::parabola {
+class quadratic final : public specular::parabola, public specular::rounded_in_any_way {
  public:
   std::string name() const override { return "quadratic"; }
   std::string title() const override { return "a quadratic in cos(delta), its coefficient a line in n"; }
@@ -83,7 +83,12 @@ class quadratic final : public specular::parabola {
   }
 
   std::unique_ptr<engine> make_bit(const selection& asked, const word_lengths& bits) const override {
-    const specular::free_shape shape = specular::shape_of(bits, !asked.flag("as-published"));
+    return make_rounded(asked, bits, specular::rounding::nearest);
+  }
+
+  std::unique_ptr<engine> make_rounded(const selection& asked, const word_lengths& bits,
+                                       specular::rounding how) const override {
+    const specular::free_shape shape = specular::shape_of(bits, !asked.flag("as-published"), how);
     return specular::make_free_engine([shape, wired = wires(asked, shape.coefficient_bits)](
                                           const specular::free_columns& io) { compute(shape, wired, io); });
   }

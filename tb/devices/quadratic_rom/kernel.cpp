@@ -39,11 +39,8 @@ template <class Shape, class Columns>
 
 BLYSK_VECTOR_CLONES void compute(const specular::free_shape& shape, const memory& words,
                                  const specular::free_columns& io) {
-  if (shape.has_headroom) {
-    shade_words(specular::free_shape_with<true>{shape}, words, io);
-  } else {
-    shade_words(specular::free_shape_with<false>{shape}, words, io);
-  }
+  specular::with_known(
+      shape, [&](const auto& known) __attribute__((always_inline)) { shade_words(known, words, io); });
 }
 
 }  // namespace blysk::quadratic_rom_device

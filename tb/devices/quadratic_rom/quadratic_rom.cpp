@@ -32,7 +32,7 @@ int word_bits(const selection& asked) {
   return min_of(asked.fraction(), 20);
 }
 
-class quadratic_rom final : public specular::parabola {
+class quadratic_rom final : public specular::parabola, public specular::rounded_in_any_way {
  public:
   std::string name() const override { return "quadratic-rom"; }
   std::string title() const override {
@@ -85,7 +85,12 @@ class quadratic_rom final : public specular::parabola {
   }
 
   std::unique_ptr<engine> make_bit(const selection& asked, const word_lengths& bits) const override {
-    const specular::free_shape shape = specular::shape_of(bits, !asked.flag("as-published"));
+    return make_rounded(asked, bits, specular::rounding::nearest);
+  }
+
+  std::unique_ptr<engine> make_rounded(const selection& asked, const word_lengths& bits,
+                                       specular::rounding how) const override {
+    const specular::free_shape shape = specular::shape_of(bits, !asked.flag("as-published"), how);
     if (shape.coefficient_bits > 20)
       throw std::invalid_argument(
           fmt::format("word length coefficient is {}, expected at most 20", shape.coefficient_bits));
