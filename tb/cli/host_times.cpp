@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// host_times FILE: how long one core takes for a million results of each device, format and engine, beside as many powers
-// by std::pow. Not a test, as times depend on the machine; the target update_host_times writes docs/tables/host_times.json.
+// host_times FILE [--device D]... [--format F]...: how long one core takes for a million results of each device, format and
+// engine, beside as many powers by std::pow. Not a test, as times depend on the machine; the target update_host_times writes
+// docs/tables/host_times.json. With devices or formats the other rows of FILE stay; it has to be of the same processor.
 #include <fmt/format.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -19,6 +20,7 @@
 #include "tb/output_file.h"
 #include "tb/program.h"
 #include "tb/progress.h"
+#include "tb/usage_error.h"
 
 namespace {
 
@@ -124,30 +126,81 @@ double four_digits(double value) {
   return std::stod(fmt::format("{:.4g}", value));
 }
 
-int run(const std::string& path) {
-  output_file file(path);
-  nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+using json = nlohmann::ordered_json;
+
+struct options {
+  std::string path;
+  std::vector<std::string> devices, formats;  ///< none: all
+
+  bool is_part() const { return !devices.empty() || !formats.empty(); }
+  bool takes(const device& of, std::string_view format) const {
+    const auto is_in = [](const std::vector<std::string>& names, std::string_view name) {
+      return names.empty() || std::ranges::find(names, name) != names.end();
+    };
+    return is_in(devices, of.name()) && is_in(formats, format);
+  }
+};
+
+/// The rows that are there, which a part of them is added to.
+json stored_rows(const std::string& path) {
+  std::ifstream file(path);
+  if (!file) return json::array();
+  try {
+    json all = json::parse(file);
+    if (all.at("processor") != processor())
+      throw file_error(path, 0,
+                       fmt::format("was measured on another processor than {}, expected all rows anew: no "
+                                   "--device and no --format",
+                                   processor()));
+    return all.at("rows");
+  } catch (const json::exception&) {
+    throw file_error(path, 0, "is damaged, expected what host_times wrote");
+  }
+}
+
+/// A row's place in the table.
+json key_of(const device& of, std::string_view format, const cli::engine_choice& choice) {
+  return {{"device", of.name()}, {"format", format}, {"engine", choice.name}};
+}
+
+json measured_row(const device& of, std::string_view format, const cli::engine_choice& choice) {
+  const auto [taken, ratio] =
+      measure_in_child(choose(of.name(), std::string(format), {}, choice.serves), choice);
+  json row = key_of(of, format, choice);
+  row["seconds"] = four_digits(taken);
+  row["ratio"] = four_digits(ratio);
+  return row;
+}
+
+int run(const options& asked) {
+  for (const std::string& name : asked.devices) choose(name, std::string(format_names[0]));
+  for (const std::string& name : asked.formats) choose(devices().front()->name(), name);
+  const json stored = asked.is_part() ? stored_rows(asked.path) : json::array();
+  output_file file(asked.path);
+  json rows = json::array();
   progress shown("measuring times",
                  devices().size() * std::size(format_names) * cli::engine_choices().size());
   for (const device* each : devices()) {
     for (const std::string_view format : format_names) {
       for (const cli::engine_choice& choice : cli::engine_choices()) {
-        const selection asked = choose(each->name(), std::string(format), {}, choice.serves);
-        const auto [taken, ratio] = measure_in_child(asked, choice);
-        rows.push_back({{"device", each->name()},
-                        {"format", format},
-                        {"engine", choice.name},
-                        {"seconds", four_digits(taken)},
-                        {"ratio", four_digits(ratio)}});
         shown.advance(1);
+        if (asked.takes(*each, format)) {
+          rows.push_back(measured_row(*each, format, choice));
+          continue;
+        }
+        const auto kept =
+            std::find_if(stored.begin(), stored.end(), [key = key_of(*each, format, choice)](const json& row) {
+              return row.contains("device") && row["device"] == key["device"] &&
+                     row["format"] == key["format"] && row["engine"] == key["engine"];
+            });
+        if (kept != stored.end()) rows.push_back(*kept);
       }
     }
   }
-  const nlohmann::ordered_json all{
-      {"processor", processor()},
-      {"seconds", "processor time of one core for 10^6 results, median of 5 runs"},
-      {"ratio", "to as many cos^n by std::pow in double, measured beside each run"},
-      {"rows", rows}};
+  const json all{{"processor", processor()},
+                 {"seconds", "processor time of one core for 10^6 results, median of 5 runs"},
+                 {"ratio", "to as many cos^n by std::pow in double, measured beside each run"},
+                 {"rows", rows}};
   file.write(all.dump(1) + "\n");
   file.close();
   file.commit();
@@ -157,9 +210,13 @@ int run(const std::string& path) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  std::string path;
+  options asked;
   return run_program(
       argc, argv, "Measures the host's time for a million results of each engine",
-      [&](CLI::App& program) { program.add_option("FILE", path, "to write, JSON")->required(); },
-      [&] { return run(path); });
+      [&](CLI::App& program) {
+        program.add_option("FILE", asked.path, "to write, JSON")->required();
+        program.add_option("--device", asked.devices, "measure this one alone, and keep the other rows");
+        program.add_option("--format", asked.formats, "measure this one alone, and keep the other rows");
+      },
+      [&] { return run(asked); });
 }
