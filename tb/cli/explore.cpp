@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <iterator>
 #include <map>
 #include <memory>
@@ -27,7 +28,8 @@ using json = nlohmann::ordered_json;
 struct options {
   // which rows
   std::string device, format;
-  std::map<std::string, std::string> named;  ///< options of devices, or ranges of word lengths
+  std::map<std::string, std::string> named;   ///< options of devices
+  std::map<std::string, std::string> ranges;  ///< of word lengths
   std::string measured;
   // what of them
   std::string metric = "max_abs_err", domain, target = "ice40", tolerance, clock;
@@ -36,7 +38,7 @@ struct options {
   std::string html;
   // what to measure now
   bool measures = false;
-  std::string output, shard = "1/1";
+  std::string output, shard = "1/1", rounding;
   int jobs = 1;
   // merge
   std::vector<std::string> shards;
@@ -48,12 +50,44 @@ bool is_range(const std::string& text) {
   return !text.empty() && text.find_first_not_of("0123456789.") == std::string::npos;
 }
 
+/// Names of the device's word lengths, also of those that it has with some value of an option alone.
+std::set<std::string> word_lengths_of(const device& of) {
+  std::set<std::string> names;
+  const auto add = [&](const std::map<std::string, std::string>& options) {
+    const selection asked = choose(of.name(), std::string(format_names[0]), options);
+    for (const auto& [name, width] : of.widths(asked)) names.insert(name);
+  };
+  add({});
+  for (const option& own : of.options()) {
+    for (const std::string& value : own.values) {
+      try {
+        add({{own.name, value}});
+      } catch (const std::invalid_argument&) {  // goes with another option's value alone
+      }
+    }
+  }
+  return names;
+}
+
+bool is_word_length(const std::string& name) {
+  return std::ranges::any_of(devices(),
+                             [&](const device* of) { return word_lengths_of(*of).contains(name); });
+}
+
+/// Takes "--NAME VALUE". A name may be that of an option and of a word length; both can be given then.
+void take(options& asked, const std::string& name, const std::string& value) {
+  // "--constant 101" is a range by its look, but an option of a device and no word length of any.
+  auto& to = is_range(value) && is_word_length(name) ? asked.ranges : asked.named;
+  if (!to.emplace(name, value).second)
+    throw usage_error(fmt::format("--{} is {} and {}, expected one of them", name, to.at(name), value));
+}
+
 /// Names of all devices' word lengths and options, each once.
 std::map<std::string, std::string> names_of_all() {
   std::map<std::string, std::string> names;
   for (const device* each : devices()) {
     for (const option& own : each->options()) names.try_emplace(own.name, own.help);
-    for (const auto& [name, width] : each->widths(choose(each->name(), std::string(format_names[0])))) {
+    for (const std::string& name : word_lengths_of(*each)) {
       std::string& help = names[name];
       if (help.find("bits, such as") == std::string::npos)
         help +=
@@ -168,8 +202,8 @@ int answer(const options& asked, const std::vector<cost::configuration>& rows) {
   const auto line = [&](const char* name, const cost::configuration* of) {
     if (of == nullptr) return;
     fmt::print("{:<10} {}: {} {}, {} {} in {}{}\n           {}\n", name, of->label(), by.key,
-               cost::number_text(by.of(of->errors->at(static_cast<std::size_t>(where)))), *in.cost(*of),
-               in.unit, in.what, of->is_stale ? ", stale" : "", of->command());
+               cost::number_text(by.of(of->errors_in(where))), *in.cost(*of), in.unit, in.what,
+               of->is_stale ? ", stale" : "", of->command());
   };
   if (found.cheapest == nullptr) {
     fmt::print("cheapest   none: no measured configuration has {} <= {}{}\n", by.key, asked.tolerance,
@@ -184,21 +218,34 @@ int answer(const options& asked, const std::vector<cost::configuration>& rows) {
   return 0;
 }
 
-/// Splits what was given by name into options of the device and ranges of word lengths.
 cost::sweep sweep_of(const options& asked) {
   const std::string device = asked.device.empty() ? devices().front()->name() : asked.device;
   cost::sweep of{device, {}, {}};
-  const selection first = choose(device, std::string(format_names[0]));
-  const word_lengths known = first.of().widths(first);
+  if (asked.given.contains("--rounding")) of.roundings = cost::parse_roundings(asked.rounding);
+  for (const auto& [name, value] : asked.ranges) of.widths[name] = cost::parse_range(name, value);
+  const std::vector<option> own = find_device(device).first->options();
   for (const auto& [name, value] : asked.named) {
-    if (is_range(value) && (known.contains(name) || first.values().count(name) == 0)) {
-      of.widths[name] = cost::parse_range(name, value);
-    } else {
-      of.options[name] = value;
-    }
+    const auto found = std::ranges::find(own, name, &option::name);
+    // A comma may belong to an option of any text.
+    const bool is_list = found != own.end() && !found->values.empty();
+    of.options[name] = is_list ? cost::split_list(value) : std::vector{value};
   }
   of.check();
   return of;
+}
+
+/// "cos  8  coefficient  8  square 16  rounding truncate  ": what differs between the rows, and the word lengths.
+std::string words_of(const cost::sweep& of, const cost::sweep_point& point) {
+  std::string words;
+  for (const auto& [name, width] : point.bits) words += fmt::format("{} {:>2}  ", name, width);
+  for (const auto& [name, values] : of.options) {
+    std::size_t longest = 0;
+    for (const std::string& value : values) longest = std::max(longest, value.size());
+    if (values.size() > 1) words += fmt::format("{} {:<{}}  ", name, point.options.at(name), longest);
+  }
+  if (of.roundings != std::vector{specular::rounding::nearest})
+    words += fmt::format("rounding {:<8}  ", specular::name_of(point.how));
+  return words;
 }
 
 void print_sweep(const options& asked, const cost::sweep& of, const std::vector<cost::sweep_row>& rows) {
@@ -212,18 +259,24 @@ void print_sweep(const options& asked, const cost::sweep& of, const std::vector<
     const cost::domain where = domain_of(asked);
     fmt::print("{} in {} of {}\n", by.key,
                std::ranges::find(cost::kDomains, where, &cost::named_domain::which)->name, of.device);
-    for (const cost::sweep_row& row : rows) {
-      std::string bits;
-      for (const auto& [name, width] : row.bits) bits += fmt::format("{} {:>2}  ", name, width);
-      fmt::print("{}{}\n", bits, cost::number_text(by.of(row.errors[static_cast<std::size_t>(where)])));
+    bool is_model_alone = false;
+    for (const auto& [point, errors] : rows) {
+      const std::optional<std::string> format = point.format();
+      is_model_alone = is_model_alone || !format;
+      fmt::print("{}{}{}\n", words_of(of, point),
+                 cost::number_text(by.of(errors[static_cast<std::size_t>(where)])),
+                 format ? "  " + *format : "");
     }
+    if (is_model_alone)
+      fmt::print(
+          "A row without a format is the model's: no hardware of it is exported, so that it has no cost.\n");
   }
 }
 
 void measure(const options& asked) {
   cost::sweep of = sweep_of(asked);
   if (!asked.format.empty()) {  // its word lengths, where no range is given
-    const selection named = choose(of.device, asked.format, of.options);
+    const selection named = choose(of.device, asked.format, of.option_lines().front());
     for (const auto& [name, width] : named.of().widths(named))
       of.widths.try_emplace(name, cost::width_range{width, width});
   }
@@ -239,13 +292,8 @@ void measure(const options& asked) {
   std::vector<cost::sweep_row> rows;
   {
     progress shown("measuring errors", kSteps);
-    std::size_t before = 0;
-    rows = run_sweep(of, {asked.output, cost::parse_shard(asked.shard), asked.jobs}, [&](double share) {
-      const auto now = static_cast<std::size_t>(share * kSteps);
-      if (now <= before) return;
-      shown.advance(now - before);
-      before = now;
-    });
+    rows = run_sweep(of, {asked.output, cost::parse_shard(asked.shard), asked.jobs},
+                     [&](double share) { shown.reach(static_cast<std::size_t>(share * kSteps)); });
   }
   print_sweep(asked, of, rows);
 }
@@ -259,7 +307,7 @@ void refuse_unused(const options& asked, bool is_measured) {
   };
   if (!is_measured)
     refuse({"--output", "--shard", "--jobs"},
-           " is of a sweep, expected ranges of word lengths or --measure with it");
+           " is of a sweep, expected ranges of word lengths, --rounding or --measure with it");
   if (!asked.has_tolerance)
     refuse({"--clock", "--target"}, " is a condition on what is cheapest, expected --tolerance with it");
   if (asked.has_tolerance)
@@ -287,13 +335,7 @@ int run(const options& given) {
   cost::find_metric(asked.metric);
   domain_of(asked);
   cost::find_technology(asked.target);
-  const bool has_ranges = std::ranges::any_of(asked.named, [](const auto& each) {
-    // "--constant 101" is a range by its look, but an option of a device and no word length of any.
-    return is_range(each.second) && std::ranges::any_of(devices(), [&](const device* of) {
-             return of->widths(choose(of->name(), std::string(format_names[0]))).contains(each.first);
-           });
-  });
-  const bool is_measured = asked.measures || has_ranges;
+  const bool is_measured = asked.measures || !asked.ranges.empty() || asked.given.contains("--rounding");
   refuse_unused(asked, is_measured);
   if (is_measured) {
     measure(asked);
@@ -305,6 +347,108 @@ int run(const options& given) {
   return 0;
 }
 
+using asked_options = std::shared_ptr<options>;
+
+/// "KEY: what; KEY: what" of a list.
+template <class List, class Key, class What>
+std::string described(const List& list, Key key, What what) {
+  std::string text;
+  for (const auto& each : list)
+    text +=
+        fmt::format("{}{}: {}", text.empty() ? "" : "; ", std::invoke(key, each), std::invoke(what, each));
+  return text;
+}
+
+bool is_flag_of_any(const std::string& name) {
+  for (const device* each : devices()) {
+    for (const option& own : each->options()) {
+      if (own.name == name && own.is_flag()) return true;
+    }
+  }
+  return false;
+}
+
+void add_options_of_devices(CLI::App& verb, const asked_options& asked) {
+  for (const auto& [name, help] : names_of_all()) {
+    const std::string key = name;
+    if (is_flag_of_any(key)) {
+      verb.add_flag_callback(
+          "--" + key, [asked, key] { asked->named[key] = "on"; }, help);
+    } else {
+      verb.add_option_function<std::vector<std::string>>(
+              "--" + key,
+              [asked, key](const std::vector<std::string>& values) {
+                for (const std::string& value : values) take(*asked, key, value);
+              },
+              help)
+          ->take_all()
+          ->allow_extra_args(false);
+    }
+  }
+}
+
+/// What is asked of the rows.
+void add_questions(CLI::App& verb, const asked_options& asked) {
+  using namespace cost;
+  verb.add_option("--measured", asked->measured,
+                  "folder of measured rows, instead of those that the program was built with");
+  verb.add_option("--metric", asked->metric, described(metrics(), &metric::key, &metric::what))
+      ->capture_default_str();
+  verb.add_option("--domain", asked->domain,
+                  described(kDomains, &named_domain::name, &named_domain::what) +
+                      " (default: lobe, with --json, --csv and --html all)");
+  verb.add_option("--tolerance", asked->tolerance, "print what is cheapest with an error of at most this")
+      ->each([asked](const std::string&) { asked->has_tolerance = true; });
+  verb.add_option("--target", asked->target,
+                  described(technologies(), &technology::name,
+                            [](const technology& of) { return fmt::format("{} in {}", of.unit, of.what); }))
+      ->capture_default_str();
+  verb.add_option("--clock", asked->clock, "that the hardware has to reach, such as 50MHz");
+}
+
+CLI::App* add_forms(CLI::App& verb, const asked_options& asked) {
+  auto* form = verb.add_option_group("form");
+  form->add_flag("--json", asked->json, "print JSON");
+  form->add_flag("--csv", asked->csv, "print CSV");
+  form->add_flag("--markdown", asked->markdown, "print a table in Markdown");
+  form->add_option("--html", asked->html,
+                   "write one page with a picture that answers to the mouse; - for standard output");
+  form->require_option(0, 1);
+  return form;
+}
+
+void add_measuring(CLI::App& verb, const asked_options& asked) {
+  using specular::named_rounding;
+  verb.add_flag("--measure", asked->measures, "measure the errors now");
+  verb.add_option("--rounding", asked->rounding,
+                  described(specular::kRoundings, &named_rounding::name, &named_rounding::what) +
+                      "; several with commas, or all: errors are measured now");
+  verb.add_option("--output", asked->output,
+                  "folder that keeps the rows of a sweep, which then goes on after a stop");
+  verb.add_option("--shard", asked->shard, "which part of a sweep, such as 2/8")->capture_default_str();
+  verb.add_option("--jobs", asked->jobs, "threads at work")
+      ->transform(whole_number(1, 1024))
+      ->capture_default_str();
+}
+
+CLI::App* add_merge(CLI::App& verb, const asked_options& asked) {
+  auto* merge = verb.add_subcommand("merge", "Bring the folders of all shards together");
+  merge->fallthrough();  // --json and others stand behind it too
+  merge->add_option("FOLDERS", asked->shards, "of the shards")->required();
+  merge->add_option("--output", asked->merged, "folder for the whole, empty or new")->required();
+  return merge;
+}
+
+void run_merge(const options& asked) {
+  for (const std::string& name : asked.given) {
+    if (name != "--json" && name != "--csv" && name != "--metric" && name != "--domain" && name != "FOLDERS")
+      throw usage_error(
+          fmt::format("{} says nothing to merge, expected --json, --csv, --metric or --domain", name));
+  }
+  const auto [of, rows] = cost::merge_shards(asked.shards, asked.merged);
+  print_sweep(asked, of, rows);
+}
+
 }  // namespace
 
 void add_explore(CLI::App& program, int& status) {
@@ -313,79 +457,29 @@ void add_explore(CLI::App& program, int& status) {
   auto asked = std::make_shared<options>();
   verb->add_option("--device", asked->device, "rows of this device only");
   verb->add_option("--format", asked->format, "rows of this format only");
-  for (const auto& [name, help] : names_of_all()) {
-    const std::string key = name;
-    bool is_flag = false;
-    for (const device* each : devices()) {
-      for (const option& own : each->options()) is_flag = is_flag || (own.name == key && own.is_flag());
-    }
-    if (is_flag) {
-      verb->add_flag_callback(
-          "--" + key, [asked, key] { asked->named[key] = "on"; }, help);
-    } else {
-      verb->add_option_function<std::string>(
-          "--" + key, [asked, key](const std::string& value) { asked->named[key] = value; }, help);
-    }
-  }
-  verb->add_option("--measured", asked->measured,
-                   "folder of measured rows, instead of those that the program was built with");
-  std::string names;
-  for (const cost::metric& each : cost::metrics())
-    names += fmt::format("{}{}: {}", names.empty() ? "" : "; ", each.key, each.what);
-  verb->add_option("--metric", asked->metric, names)->capture_default_str();
-  names.clear();
-  for (const cost::named_domain& each : cost::kDomains)
-    names += fmt::format("{}{}: {}", names.empty() ? "" : "; ", each.name, each.what);
-  verb->add_option("--domain", asked->domain, names + " (default: lobe, with --json, --csv and --html all)");
-  verb->add_option("--tolerance", asked->tolerance, "print what is cheapest with an error of at most this")
-      ->each([asked](const std::string&) { asked->has_tolerance = true; });
-  names.clear();
-  for (const cost::technology& each : cost::technologies())
-    names += fmt::format("{}{}: {} in {}", names.empty() ? "" : "; ", each.name, each.unit, each.what);
-  verb->add_option("--target", asked->target, names)->capture_default_str();
-  verb->add_option("--clock", asked->clock, "that the hardware has to reach, such as 50MHz");
-  auto* form = verb->add_option_group("form");
-  form->add_flag("--json", asked->json, "print JSON");
-  form->add_flag("--csv", asked->csv, "print CSV");
-  form->add_flag("--markdown", asked->markdown, "print a table in Markdown");
-  form->add_option("--html", asked->html,
-                   "write one page with a picture that answers to the mouse; - for standard output");
-  form->require_option(0, 1);
-  verb->add_flag("--measure", asked->measures, "measure the errors now");
-  verb->add_option("--output", asked->output,
-                   "folder that keeps the rows of a sweep, which then goes on after a stop");
-  verb->add_option("--shard", asked->shard, "which part of a sweep, such as 2/8")->capture_default_str();
-  verb->add_option("--jobs", asked->jobs, "threads at work")
-      ->transform(whole_number(1, 1024))
-      ->capture_default_str();
-  auto* merge = verb->add_subcommand("merge", "Bring the folders of all shards together");
-  merge->fallthrough();  // --json and others stand behind it too
-  merge->add_option("FOLDERS", asked->shards, "of the shards")->required();
-  merge->add_option("--output", asked->merged, "folder for the whole, empty or new")->required();
+  add_options_of_devices(*verb, asked);
+  add_questions(*verb, asked);
+  const CLI::App* form = add_forms(*verb, asked);
+  add_measuring(*verb, asked);
+  const CLI::App* merge = add_merge(*verb, asked);
   verb->footer(
       "Examples:\n"
       "  blysk explore\n"
       "  blysk explore --tolerance 0.1 --metric max_abs_err --domain epicentre --target asic --clock 50MHz\n"
       "  blysk explore --html front.html\n"
       "  blysk explore --cos 8..9 --coefficient 7..8 --output sweep --jobs 2\n"
+      "  blysk explore --cos 8 --rounding nearest,truncate --metric bias\n"
       "  blysk explore --cos 8..9 --shard 1/2 --output part1\n"
       "  blysk explore --cos 8..9 --shard 2/2 --output part2\n"
       "  blysk explore merge part1 part2 --output whole");
   verb->callback([asked, verb, form, merge, &status] {
-    for (const CLI::App* group : {static_cast<const CLI::App*>(verb), static_cast<const CLI::App*>(form)}) {
+    for (const CLI::App* group : {static_cast<const CLI::App*>(verb), form}) {
       for (const CLI::Option* each : group->get_options()) {
         if (each->count() > 0) asked->given.insert(each->get_name());
       }
     }
     if (merge->parsed()) {
-      for (const std::string& name : asked->given) {
-        if (name != "--json" && name != "--csv" && name != "--metric" && name != "--domain" &&
-            name != "FOLDERS")
-          throw usage_error(
-              fmt::format("{} says nothing to merge, expected --json, --csv, --metric or --domain", name));
-      }
-      const auto [of, rows] = cost::merge_shards(asked->shards, asked->merged);
-      print_sweep(*asked, of, rows);
+      run_merge(*asked);
     } else {
       status = run(*asked);
     }

@@ -55,18 +55,6 @@ origin origin_of(const json& of) {
   return {of.at("digest"), of.at("tools"), of.at("script")};
 }
 
-std::int64_t count_of(const json& of, const char* key) {
-  const json& value = of.at(key);
-  if (!value.is_number_unsigned()) throw std::domain_error(fmt::format("{} is no count", key));
-  return value;
-}
-
-double positive_of(const json& of, const char* key) {
-  const double value = of.at(key);
-  if (!(std::isfinite(value) && value > 0)) throw std::domain_error(fmt::format("{} is not above zero", key));
-  return value;
-}
-
 ice40_cells ice40_of(const json& of) {
   return {origin_of(of),      count_of(of, "lut"), count_of(of, "carry"),
           count_of(of, "ff"), count_of(of, "dsp"), count_of(of, "ram_bits")};
@@ -92,6 +80,18 @@ void take(const json& row, const char* key, std::optional<Part>& part, Part (*re
 
 }  // namespace
 
+std::int64_t count_of(const json& of, const char* key) {
+  const json& value = of.at(key);
+  if (!value.is_number_unsigned()) throw std::domain_error(fmt::format("{} is no count", key));
+  return value;
+}
+
+double positive_of(const json& of, const char* key) {
+  const double value = of.at(key);
+  if (!(std::isfinite(value) && value > 0)) throw std::domain_error(fmt::format("{} is not above zero", key));
+  return value;
+}
+
 double placement::least() const {
   return std::ranges::min(fmax_mhz);
 }
@@ -110,6 +110,13 @@ std::map<std::string, std::string> given_options(const selection& asked) {
     if (asked.value(each.name) != each.preset) given[each.name] = asked.value(each.name);
   }
   return given;
+}
+
+std::string option_words(const std::map<std::string, std::string>& options) {
+  std::string words;
+  for (const auto& [name, value] : options)
+    words += fmt::format(" --{}{}", name, value == "on" ? "" : " " + value);
+  return words;
 }
 
 std::string row_path(const std::string& kind, const selection& asked) {
@@ -147,19 +154,18 @@ nlohmann::ordered_json parse_json(const std::string& path, const std::string& te
 
 cost_row parse_cost_row(const std::string& path, const std::string& text) {
   const json row = parse_json(path, text);
-  try {
+  return read_stored(path, "a row of scripts/synth", [&] {
     cost_row result{row.at("device"), row.at("format"), row.at("options"), {}, {}, {}, {}};
     take(row, "ice40", result.ice40, ice40_of);
     take(row, "ice40_dsp", result.ice40_dsp, ice40_of);
     take(row, "hx8k", result.hx8k, placement_of);
     take(row, "osu018", result.osu018, standard_cells_of);
     return result;
-  } catch (const json::exception&) {
-    throw file_error(path, 0,
-                     "is damaged: a key is missing or of another type, expected a row of scripts/synth");
-  } catch (const std::domain_error& error) {
-    throw file_error(path, 0, fmt::format("is damaged: {}, expected a row of scripts/synth", error.what()));
-  }
+  });
+}
+
+usage_error damaged(const std::string& path, const std::string& what, const std::string& expected) {
+  return file_error(path, 0, fmt::format("is damaged: {}, expected {}", what, expected));
 }
 
 std::string read_text(const std::string& path) {

@@ -7,10 +7,12 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "tb/device.h"
+#include "tb/usage_error.h"
 
 namespace blysk::cost {
 
@@ -64,6 +66,9 @@ struct cost_row {
 /// The options that differ from their presets.
 std::map<std::string, std::string> given_options(const selection& asked);
 
+/// " --rom clocked" as on a command line; a flag without its value.
+std::string option_words(const std::map<std::string, std::string>& options);
+
 /// "<identifier>/cost_q8.json": the path below docs/tables, `kind` being "cost".
 std::string row_path(const std::string& kind, const selection& asked);
 
@@ -76,6 +81,27 @@ cost_row parse_cost_row(const std::string& path, const std::string& text);
 /// The JSON text of a file.
 /// \throws usage_error with the line where it goes wrong
 nlohmann::ordered_json parse_json(const std::string& path, const std::string& text);
+
+/// \return  for throwing: "FILE: is damaged: what, expected ..."
+usage_error damaged(const std::string& path, const std::string& what, const std::string& expected);
+
+/// What `read` makes of a stored file, whose keys and values may be wrong.
+/// \throws usage_error in place of json::exception, a key that is missing or of another type, and std::domain_error
+template <class Read>
+auto read_stored(const std::string& path, const std::string& expected, const Read& read) {
+  try {
+    return read();
+  } catch (const nlohmann::json::exception&) {
+    throw damaged(path, "a key is missing or of another type", expected);
+  } catch (const std::domain_error& error) {
+    throw damaged(path, error.what(), expected);
+  }
+}
+
+/// A member of a stored object.
+/// \throws json::exception if there is none or it is no number, std::domain_error if it is no count, or not above zero
+std::int64_t count_of(const nlohmann::ordered_json& of, const char* key);
+double positive_of(const nlohmann::ordered_json& of, const char* key);
 
 /// The text of a file.
 /// \throws usage_error if it cannot be read

@@ -2,7 +2,6 @@
 #include "tb/cost/energy_row.h"
 
 #include "tb/cost/cost_row.h"
-#include "tb/usage_error.h"
 
 namespace blysk::cost {
 namespace {
@@ -20,7 +19,7 @@ switching_pair pair_of(const json& text) {
 
 energy_row parse_energy_row(const std::string& path, const std::string& text) {
   const json row = parse_json(path, text);
-  try {
+  return read_stored(path, "a row of the target update_energy", [&] {
     energy_row made{row.at("device"), row.at("format"), row.at("digest"), row.at("options"), {}};
     for (const auto& [kind, use] : row.at("stimuli").items()) {
       energy_use& to = made.stimuli[kind];
@@ -28,11 +27,7 @@ energy_row parse_energy_row(const std::string& path, const std::string& text) {
       for (const auto& [block, each] : use.at("blocks").items()) to.blocks[block] = pair_of(each);
     }
     return made;
-  } catch (const json::exception&) {
-    throw file_error(
-        path, 0,
-        "is damaged: a key is missing or of another type, expected a row of the target update_energy");
-  }
+  });
 }
 
 }  // namespace blysk::cost

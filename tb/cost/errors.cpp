@@ -13,11 +13,12 @@
 #include <stdexcept>
 #include <thread>
 
+#include "tb/cost/cost_row.h"
 #include "tb/cost/error_sums.h"
 #include "tb/golden/errors.h"
 #include "tb/golden/sphere.h"
+#include "tb/golden/teapot.h"
 #include "tb/specular/specular.h"
-#include "tb/usage_error.h"
 
 namespace blysk::cost {
 namespace {
@@ -30,24 +31,44 @@ struct point_list {
   std::vector<std::uint32_t> codes;
   std::vector<double> cosines;
   std::size_t size = 0;
-  bool is_grid = true;  // every code, and no vectors
+  domain where = domain::whole;  // every code, and no vectors; or a domain of pixels
 
-  std::uint32_t code(std::size_t i) const { return is_grid ? static_cast<std::uint32_t>(i) : codes[i]; }
+  bool is_grid() const { return where == domain::whole; }
+  std::uint32_t code(std::size_t i) const { return is_grid() ? static_cast<std::uint32_t>(i) : codes[i]; }
 };
 
 point_list grid_of(int bits) {
-  return {{}, {}, (std::size_t{1} << bits) + 1, true};
+  return {{}, {}, (std::size_t{1} << bits) + 1, domain::whole};
 }
 
+using vec = golden::vec3<double>;
+
 /// The cosines N.H of the sphere's lit pixels.
-point_list sphere_of(int bits) {
-  point_list points{{}, {}, 0, false};
+std::vector<double> sphere_cosines() {
+  std::vector<double> cosines;
   const golden::sphere_scene scene;
-  const auto half = golden::half_vector(scene.light, scene.view);
+  const vec half = golden::half_vector(scene.light, scene.view);
   for (const auto& [x, y, normal] : golden::sphere_pixels(scene)) {
     if (golden::faces_both(normal, scene.light, scene.view))
-      points.cosines.push_back(golden::clamped_cosine(normal, half));
+      cosines.push_back(golden::clamped_cosine(normal, half));
   }
+  return cosines;
+}
+
+/// Those of the teapot's, whose view differs from pixel to pixel.
+std::vector<double> teapot_cosines() {
+  std::vector<double> cosines;
+  const golden::teapot_scene scene;
+  for (const auto& [x, y, normal, view] : golden::teapot_pixels(scene)) {
+    if (golden::faces_both(normal, scene.light, view))
+      cosines.push_back(golden::clamped_cosine(normal, golden::half_vector(scene.light, view)));
+  }
+  return cosines;
+}
+
+/// \param where  sphere or teapot
+point_list pixels_of(domain where, int bits) {
+  point_list points{{}, where == domain::sphere ? sphere_cosines() : teapot_cosines(), 0, where};
   std::ranges::sort(points.cosines);
   for (const double c : points.cosines)
     points.codes.push_back(static_cast<std::uint32_t>(std::llround(std::ldexp(c, bits))));
@@ -116,8 +137,8 @@ class block_meter {
     });
     cosines_.resize(size);
     for (std::size_t i = 0; i < size; ++i)
-      cosines_[i] = points_.is_grid ? std::ldexp(static_cast<double>(begin + i), -of_.cos_bits)
-                                    : points_.cosines[begin + i];
+      cosines_[i] = points_.is_grid() ? std::ldexp(static_cast<double>(begin + i), -of_.cos_bits)
+                                      : points_.cosines[begin + i];
   }
 
   /// The device's results at n for the cosines that are set, in ulp.
@@ -154,7 +175,7 @@ class block_meter {
     run(n, size);
     const point_block block{n, of_.cos_bits, cosines_, power_, device_, last_[row]};
     last_[row] = device_.back();
-    if (!points_.is_grid) return add_points(block, 0, size, in(sums, domain::sphere));
+    if (!points_.is_grid()) return add_points(block, 0, size, in(sums, points_.where));
     add_points(block, 0, size, in(sums, domain::whole));
     add_lit_points(block, in(sums, domain::lobe));
     for (std::size_t e = 0; e < edges::kCount; ++e) {
@@ -210,18 +231,46 @@ judged judge(const selection& asked) {
           columns(asked.of().ports(asked), port::role::data).layout(), asked.fraction()};
 }
 
-judged judge(const selection& asked, const word_lengths& bits) {
+namespace {
+
+const specular::rounded_in_any_way* rounded_in_any_way(const device& of) {
+  return dynamic_cast<const specular::rounded_in_any_way*>(&of);
+}
+
+/// \throws std::invalid_argument if the device has no model that rounds in any way
+const specular::rounded_in_any_way& rounding_model(const device& of) {
+  if (const specular::rounded_in_any_way* found = rounded_in_any_way(of)) return *found;
+  std::string names;
+  for (const device* each : devices()) {
+    if (rounded_in_any_way(*each) != nullptr)
+      names += fmt::format("{}{}", names.empty() ? "" : ", ", each->name());
+  }
+  throw std::invalid_argument(
+      fmt::format("device {} rounds in one way, expected --rounding nearest or one of {}", of.name(), names));
+}
+
+}  // namespace
+
+judged judge(const selection& asked, const word_lengths& bits, specular::rounding how) {
   judged of = judge(asked);
   of.make = [asked, bits] { return asked.of().make_bit(asked, bits); };
+  if (how != specular::rounding::nearest) {
+    const selection computed = asked.of().computes_as(asked).value_or(asked);
+    of.make = [computed, bits, how] {
+      return rounding_model(computed.of()).make_rounded(computed, bits, how);
+    };
+  }
   of.make();  // refuses word lengths here and not in a thread
   of.cos_bits = bits.at("cos");
   of.stimulus[specular::kCos] = storage::u32;
   return of;
 }
 
-error_table measure_errors(const judged& of, int threads, const std::function<void(double)>& advanced) {
+namespace {
+
+error_table measure_lists(const std::vector<point_list>& lists, const judged& of, int threads,
+                          const std::function<void(double)>& advanced) {
   const edges epicentres(of.first_n, of.last_n);
-  const std::array lists{grid_of(of.cos_bits), sphere_of(of.cos_bits)};
   struct chunk {
     const point_list* points;
     std::size_t first, last;
@@ -250,6 +299,22 @@ error_table measure_errors(const judged& of, int threads, const std::function<vo
   return add_up(sums);
 }
 
+}  // namespace
+
+error_table measure_errors(const judged& of, int threads, const std::function<void(double)>& advanced) {
+  return measure_lists(
+      {grid_of(of.cos_bits), pixels_of(domain::sphere, of.cos_bits), pixels_of(domain::teapot, of.cos_bits)},
+      of, threads, advanced);
+}
+
+errors measure_on_pixels(const judged& of, domain where, int threads,
+                         const std::function<void(double)>& advanced) {
+  if (where != domain::sphere && where != domain::teapot)
+    throw std::invalid_argument("a domain of codes was asked for, expected sphere or teapot");
+  return measure_lists({pixels_of(where, of.cos_bits)}, of, threads,
+                       advanced)[static_cast<std::size_t>(where)];
+}
+
 namespace {
 
 double six_digits(double value) {
@@ -258,50 +323,78 @@ double six_digits(double value) {
 
 }  // namespace
 
+nlohmann::ordered_json json_of(const errors& of) {
+  return {{"status", "exhaustive"},
+          {"points", of.points},
+          {"max_abs_err", six_digits(of.max_abs_err)},
+          {"max_abs_n", of.max_abs_n},
+          {"max_abs_cos", of.max_abs_cos},
+          {"mean_abs_err", six_digits(of.mean_abs_err)},
+          {"bias", six_digits(of.bias)},
+          {"rms_err", six_digits(of.rms_err)},
+          {"error_probability", six_digits(of.error_probability)},
+          {"max_rel_err", six_digits(of.max_rel_err)},
+          {"mean_rel_err", six_digits(of.mean_rel_err)},
+          {"relative_points", of.relative_points},
+          {"ulps", of.ulps},
+          {"falls", of.falls},
+          {"nmse", six_digits(of.nmse)},
+          {"max_step", of.max_step}};
+}
+
 nlohmann::ordered_json json_of(const error_table& table) {
   nlohmann::ordered_json domains;
-  for (const named_domain& each : kDomains) {
-    const errors& e = table[static_cast<std::size_t>(each.which)];
-    domains[std::string(each.name)] = {{"status", "exhaustive"},
-                                       {"points", e.points},
-                                       {"max_abs_err", six_digits(e.max_abs_err)},
-                                       {"max_abs_n", e.max_abs_n},
-                                       {"max_abs_cos", e.max_abs_cos},
-                                       {"mean_abs_err", six_digits(e.mean_abs_err)},
-                                       {"bias", six_digits(e.bias)},
-                                       {"rms_err", six_digits(e.rms_err)},
-                                       {"error_probability", six_digits(e.error_probability)},
-                                       {"max_rel_err", six_digits(e.max_rel_err)},
-                                       {"mean_rel_err", six_digits(e.mean_rel_err)},
-                                       {"relative_points", e.relative_points},
-                                       {"ulps", e.ulps},
-                                       {"falls", e.falls},
-                                       {"nmse", six_digits(e.nmse)},
-                                       {"max_step", e.max_step}};
-  }
+  for (const named_domain& each : kDomains)
+    domains[std::string(each.name)] = json_of(table[static_cast<std::size_t>(each.which)]);
   return domains;
 }
 
+namespace {
+
+/// \throws std::domain_error unless it is at least 0
+double size_of(const nlohmann::ordered_json& of, const char* key) {
+  const double value = of.at(key);
+  if (!(value >= 0)) throw std::domain_error(fmt::format("{} is below zero", key));
+  return value;
+}
+
+errors errors_of(const nlohmann::ordered_json& of) {
+  if (of.at("status") != "exhaustive") throw std::domain_error("status is not exhaustive");
+  const auto count = [&](const char* key) { return static_cast<std::uint64_t>(count_of(of, key)); };
+  errors e;
+  e.points = count("points");
+  e.max_abs_err = size_of(of, "max_abs_err");
+  e.max_abs_n = of.at("max_abs_n");
+  e.max_abs_cos = of.at("max_abs_cos");
+  e.mean_abs_err = size_of(of, "mean_abs_err");
+  e.bias = of.at("bias");
+  e.rms_err = size_of(of, "rms_err");
+  e.error_probability = size_of(of, "error_probability");
+  e.max_rel_err = size_of(of, "max_rel_err");
+  e.mean_rel_err = size_of(of, "mean_rel_err");
+  e.relative_points = count("relative_points");
+  e.ulps = of.at("ulps");
+  e.falls = count("falls");
+  e.nmse = size_of(of, "nmse");
+  e.max_step = static_cast<int>(count_of(of, "max_step"));
+  if (e.points == 0 || std::accumulate(e.ulps.begin(), e.ulps.end(), std::uint64_t{0}) != e.points)
+    throw std::domain_error("ulps do not add up to points");
+  return e;
+}
+
+}  // namespace
+
 error_table parse_errors(const std::string& path, const nlohmann::ordered_json& domains) {
-  error_table table;
-  try {
+  return read_stored(path, "errors as blysk writes them", [&] {
+    error_table table;
     for (const named_domain& each : kDomains) {
-      const auto& of = domains.at(std::string(each.name));
-      if (of.at("status") != "exhaustive") throw std::domain_error("status is not exhaustive");
-      table[static_cast<std::size_t>(each.which)] = {
-          of.at("points"),       of.at("max_abs_err"),  of.at("max_abs_n"),       of.at("max_abs_cos"),
-          of.at("mean_abs_err"), of.at("bias"),         of.at("rms_err"),         of.at("error_probability"),
-          of.at("max_rel_err"),  of.at("mean_rel_err"), of.at("relative_points"), of.at("ulps"),
-          of.at("falls"),        of.at("nmse"),         of.at("max_step")};
+      const std::string name(each.name);
+      // Rows may be older than this domain; it was not measured then.
+      if (each.which == domain::teapot && domains.is_object() && !domains.contains(name)) continue;
+      table[static_cast<std::size_t>(each.which)] = errors_of(domains.at(name));
     }
-  } catch (const nlohmann::json::exception&) {
-    throw file_error(path, 0,
-                     "is damaged: a key is missing or of another type, expected errors as blysk writes them");
-  } catch (const std::domain_error& error) {
-    throw file_error(path, 0,
-                     fmt::format("is damaged: {}, expected errors as blysk writes them", error.what()));
-  }
-  return table;
+    return table;
+  });
 }
 
 }  // namespace blysk::cost

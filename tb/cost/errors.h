@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 /// How far a device's BRDF is from cos^n, at every input of a domain.
 ///
-/// The reference is cos^n as a product of two doubles each (error below 1000 2^-104), at the cosine of the code; on the
-/// sphere at the cosine of the pixel, so that its quantisation counts too. Below 1e-200 it is taken for 0. Values do not
+/// The reference is cos^n as a product of two doubles each (error below 1000 2^-104), at the cosine of the code; on sphere
+/// and teapot at the cosine of the pixel, so that its quantisation counts too. Below 1e-200 it is taken for 0. Values do not
 /// depend on the processor nor on the number of threads.
 #pragma once
 
@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "tb/device.h"
+#include "tb/specular/rounding.h"
 
 namespace blysk::cost {
 
@@ -28,6 +29,7 @@ enum class domain : std::uint8_t {
   epicentre_056,         ///< cos^n >= 0.56
   epicentre_inflection,  ///< up to the inflection point of cos^n
   sphere,                ///< pixels of a lit sphere of 512 x 512, tb/golden/sphere.h
+  teapot,                ///< pixels of a lit mesh of 512 x 512, tb/golden/teapot.h
 };
 
 struct named_domain {
@@ -44,6 +46,7 @@ inline constexpr std::array kDomains{
     named_domain{domain::epicentre_056, "epicentre-0.56", "cos^n >= 0.56"},
     named_domain{domain::epicentre_inflection, "epicentre-inflection", "up to the inflection point of cos^n"},
     named_domain{domain::sphere, "sphere", "pixels of a lit sphere, 512 x 512"},
+    named_domain{domain::teapot, "teapot", "pixels of the lit teapot, 512 x 512"},
 };
 
 /// \throws std::invalid_argument for a domain that does not exist
@@ -86,14 +89,21 @@ judged judge(const selection& asked);
 bool is_judged(const selection& asked);
 
 /// The same at word lengths of one's own; `cos` names those of the cosine.
-judged judge(const selection& asked, const word_lengths& bits);
+/// \throws std::invalid_argument also for word lengths that the laws refuse, and for a rounding that the model does not have
+judged judge(const selection& asked, const word_lengths& bits,
+             specular::rounding how = specular::rounding::nearest);
 
 /// \param threads   at work
 /// \param advanced  called with the share of the work that is done, in [0, 1], from any thread, one at a time
 error_table measure_errors(const judged& of, int threads, const std::function<void(double)>& advanced = {});
 
+/// The same of sphere or teapot alone.
+errors measure_on_pixels(const judged& of, domain where, int threads,
+                         const std::function<void(double)>& advanced = {});
+
 /// The table as it is stored, by names of domains; reals have six digits.
 nlohmann::ordered_json json_of(const error_table& table);
+nlohmann::ordered_json json_of(const errors& of);
 
 /// \throws usage_error for a file that is no table
 error_table parse_errors(const std::string& path, const nlohmann::ordered_json& domains);

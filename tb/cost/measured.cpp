@@ -23,8 +23,9 @@ struct named_text {
 
 /// \param name  "cost_q8.json"
 bool is_row(const std::string& name) {
-  return name.ends_with(".json") && (name.starts_with("cost_") || name.starts_with("errors_") ||
-                                     name.starts_with("energy_") || name.starts_with("reference_"));
+  return name.ends_with(".json") &&
+         (name.starts_with("cost_") || name.starts_with("errors_") || name.starts_with("energy_") ||
+          name.starts_with("reference_") || name.starts_with("roundings_"));
 }
 
 constexpr const char* kHostTimes = "host_times.json";
@@ -68,32 +69,33 @@ configuration& find_or_add(std::vector<configuration>& all, const std::string& p
 
 void add_errors(std::vector<configuration>& all, const named_text& file) {
   const json row = parse_json(file.path, file.text);
-  try {
+  read_stored(file.path, "a row of the target update_errors", [&] {
     configuration& of = find_or_add(all, file.path, row.at("device"), row.at("format"), row.at("options"));
     of.errors = parse_errors(file.path, row.at("domains"));
-  } catch (const json::exception&) {
-    throw file_error(
-        file.path, 0,
-        "is damaged: a key is missing or of another type, expected a row of the target update_errors");
-  }
+  });
+}
+
+void add_roundings(std::vector<configuration>& all, const named_text& file) {
+  const json rows = parse_json(file.path, file.text);
+  read_stored(file.path, "rows of the target update_roundings", [&] {
+    // The built rounding's row alone knows the format.
+    const json& first = rows.at(0);
+    find_or_add(all, file.path, first.at("device"), first.at("format"), first.at("options")).roundings = rows;
+  });
 }
 
 void add_host_times(std::vector<configuration>& all, const named_text& file) {
   const json times = parse_json(file.path, file.text);
-  try {
+  read_stored(file.path, "what the target update_host_times writes", [&] {
     for (const json& row : times.at("rows")) {
       const std::string device = row.at("device"), format = row.at("format");
+      const host_time time{positive_of(row, "seconds"), positive_of(row, "ratio")};
       for (configuration& each : all) {
-        if (each.asked.of().name() != device || each.asked.format() != format || !each.asked.is_preset())
-          continue;
-        each.host[row.at("engine")] = {row.at("seconds"), row.at("ratio")};
+        if (each.asked.of().name() == device && each.asked.format() == format && each.asked.is_preset())
+          each.host[row.at("engine")] = time;
       }
     }
-  } catch (const json::exception&) {
-    throw file_error(
-        file.path, 0,
-        "is damaged: a key is missing or of another type, expected what the target update_host_times writes");
-  }
+  });
 }
 
 std::size_t place_of(const std::string& format) {
@@ -130,23 +132,20 @@ double configuration::asic_mhz() const {
   return cost.osu018 ? 1e3 / cost.osu018->path_ns : 0;
 }
 
-namespace {
-
-std::string words_of(const std::map<std::string, std::string>& options) {
-  std::string words;
-  for (const auto& [name, value] : options)
-    words += fmt::format(" --{}{}", name, value == "on" ? "" : " " + value);
-  return words;
-}
-
-}  // namespace
-
 std::string configuration::command() const {
-  const std::string words = words_of(given_options(asked));
+  const std::string words = option_words(given_options(asked));
   const std::string hardware = fmt::format("scripts/synth {} {}{}", asked.of().name(), asked.format(), words);
   if (!is_judged(asked)) return hardware;
   return fmt::format("{} && build/bin/blysk explore --measure --device {} --format {}{}", hardware,
                      asked.of().name(), asked.format(), words);
+}
+
+bool configuration::has_errors_in(domain where) const {
+  return errors && errors_in(where).points > 0;
+}
+
+const cost::errors& configuration::errors_in(domain where) const {
+  return errors->at(static_cast<std::size_t>(where));
 }
 
 std::string configuration::label() const {
@@ -175,6 +174,8 @@ std::vector<configuration> read_measured(const std::string& folder) {
       of.energy = std::move(row);
     } else if (name.starts_with("errors_")) {
       add_errors(all, file);
+    } else if (name.starts_with("roundings_")) {
+      add_roundings(all, file);
     }
   }
   for (const named_text& file : texts) {

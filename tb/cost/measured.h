@@ -37,6 +37,7 @@ struct configuration {
   std::optional<error_table> errors = {};
   std::optional<energy_row> energy = {};
   std::map<std::string, host_time> host = {};  ///< by engine
+  nlohmann::ordered_json roundings = {};       ///< rows of `blysk explore --rounding all --json`
   std::string digest = {};                     ///< of the Verilog that is exported today; empty if none is
   bool is_stale = false;                       ///< a part of the cost belongs to another Verilog
 
@@ -49,6 +50,11 @@ struct configuration {
 
   /// pJ of a pixel of a lit sphere in OSU018; 0 if not measured.
   double energy_pj() const;
+
+  bool has_errors_in(domain where) const;
+
+  /// Of a configuration that has them.
+  const cost::errors& errors_in(domain where) const;
 
   /// What a shell repeats the row by.
   std::string command() const;

@@ -22,7 +22,7 @@ using rows = std::vector<configuration>;
 
 constexpr const char* kNothing = "-";
 constexpr const char* kBlocks =
-    "rows, errors, front, compare, reference, host, energy, energy-of-blocks or tools";
+    "rows, errors, roundings, front, compare, reference, host, energy, energy-of-blocks or tools";
 
 std::string line_of(const words& cells) {
   std::string text;
@@ -42,10 +42,6 @@ rows in_formats(const rows& all, const words& formats) {
     return std::ranges::find(formats, each.asked.format()) != formats.end();
   });
   return chosen;
-}
-
-const errors& errors_in(const configuration& of, domain where) {
-  return of.errors->at(static_cast<std::size_t>(where));
 }
 
 std::string rows_block(const rows& all, const words& formats) {
@@ -88,7 +84,8 @@ std::string errors_block(const rows& all, const words& formats) {
     // Those of another device, bit for bit, stand there.
     if (!each.errors || each.asked.of().computes_as(each.asked)) continue;
     for (const named_domain& where : kDomains) {
-      const errors& e = errors_in(each, where.which);
+      if (!each.has_errors_in(where.which)) continue;
+      const errors& e = each.errors_in(where.which);
       const auto share = [&](std::uint64_t count) {
         return number_text(100 * static_cast<double>(count) / static_cast<double>(e.points));
       };
@@ -104,6 +101,25 @@ std::string errors_block(const rows& all, const words& formats) {
   return text;
 }
 
+/// The model's roundings beside each other, in a domain.
+std::string roundings_block(const rows& all, const words& asked) {
+  const std::string& where = asked.at(0);
+  find_domain(where);
+  std::string text = head_of({"device", "rounding", "largest", "rms", "bias", "not rounded correctly", "NMSE",
+                              "8-bit steps", "falls"});
+  for (const configuration& each : in_formats(all, words(asked.begin() + 1, asked.end()))) {
+    for (const nlohmann::ordered_json& row : each.roundings) {
+      if (row.at("domain") != where) continue;
+      const auto number = [&](const char* key) { return number_text(row.at(key)); };
+      text += line_of({each.label(), row.at("rounding").get<std::string>(), number("max_abs_err"),
+                       number("rms_err"), number("bias"),
+                       number_text(100 * row.at("error_probability").get<double>()) + " %", number("nmse"),
+                       number("max_step"), number("falls")});
+    }
+  }
+  return text;
+}
+
 std::string front_block(const rows& all, const words& asked) {
   const technology& in = find_technology(asked.at(0));
   const metric& by = find_metric(asked.at(1));
@@ -112,7 +128,7 @@ std::string front_block(const rows& all, const words& asked) {
       head_of({"device", fmt::format("{}, {}", by.key, asked.at(2)), std::string(in.unit), "MHz", ""});
   for (const configuration* each : front_of(all, by, where, in)) {
     text += line_of(
-        {each->label(), number_text(by.of(errors_in(*each, where))), fmt::format("{:.0f}", *in.cost(*each)),
+        {each->label(), number_text(by.of(each->errors_in(where))), fmt::format("{:.0f}", *in.cost(*each)),
          in.mhz(*each) > 0 ? fmt::format("{:.1f}", in.mhz(*each)) : kNothing, each->is_stale ? "stale" : ""});
   }
   return text;
@@ -288,6 +304,7 @@ std::string block_of(const std::string& path, std::size_t line, const words& ask
   try {
     if (asked[0] == "rows") return rows_block(all, rest);
     if (asked[0] == "errors") return errors_block(all, rest);
+    if (asked[0] == "roundings") return roundings_block(all, rest);
     if (asked[0] == "front") return front_block(all, rest);
     if (asked[0] == "compare") return compare_block(all, rest);
     if (asked[0] == "reference") return reference_block(all, rest);
@@ -299,6 +316,9 @@ std::string block_of(const std::string& path, std::size_t line, const words& ask
     throw file_error(path, line, fmt::format("block {} has too few words", asked[0]));
   } catch (const std::invalid_argument& error) {
     throw file_error(path, line, error.what());
+  } catch (const nlohmann::json::exception&) {
+    throw file_error(path, line,
+                     fmt::format("block {} has damaged rows, expected those that blysk wrote", asked[0]));
   }
   throw file_error(path, line, fmt::format("block {} is unknown, expected {}", asked[0], kBlocks));
 }

@@ -36,6 +36,14 @@ std::optional<int> read_int(std::string_view text) {
   return value;
 }
 
+specular::rounding find_rounding(const std::string& name) {
+  const auto found = std::ranges::find(specular::kRoundings, name, &specular::named_rounding::name);
+  if (found != specular::kRoundings.end()) return found->which;
+  std::string names;
+  for (const specular::named_rounding& each : specular::kRoundings) names += fmt::format("{}, ", each.name);
+  throw std::invalid_argument(fmt::format("rounding {} does not exist, expected {}or all", name, names));
+}
+
 std::string text_of(const width_range& of) {
   return of.first == of.last ? fmt::format("{}", of.first) : fmt::format("{}..{}", of.first, of.last);
 }
@@ -43,9 +51,12 @@ std::string text_of(const width_range& of) {
 json json_of(const sweep& of, const shard& part) {
   json ranges = json::object();
   for (const auto& [name, range] : of.widths) ranges[name] = text_of(range);
+  json roundings = json::array();
+  for (const specular::rounding how : of.roundings) roundings.push_back(specular::name_of(how));
   return {{"device", of.device},
           {"options", of.options},
           {"word_lengths", ranges},
+          {"roundings", roundings},
           {"shard", fmt::format("{}/{}", part.index, part.count)}};
 }
 
@@ -57,9 +68,10 @@ std::pair<sweep, shard> read_description(const fs::path& folder) {
                      fmt::format("has no {}, expected the folder of a sweep", kDescription));
   const json stored = parse_json(path, read_text(path));
   try {
-    sweep of{stored.at("device"), stored.at("options"), {}};
+    sweep of{stored.at("device"), stored.at("options"), {}, {}};
     for (const auto& [name, range] : stored.at("word_lengths").items())
       of.widths[name] = parse_range(name, range);
+    for (const json& name : stored.at("roundings")) of.roundings.push_back(find_rounding(name));
     of.check();
     return {of, parse_shard(stored.at("shard"))};
   } catch (const json::exception&) {
@@ -70,21 +82,32 @@ std::pair<sweep, shard> read_description(const fs::path& folder) {
   }
 }
 
-fs::path place_of(const fs::path& folder, const word_lengths& bits) {
-  return folder / (name_of(bits) + ".json");
+std::string file_of(const sweep& of, const sweep_point& point) {
+  return point.name(of) + ".json";
 }
 
-error_table read_row(const fs::path& path, const word_lengths& bits) {
-  const json stored = parse_json(path.string(), read_text(path));
-  if (!stored.is_object() || !stored.contains("domains") ||
-      stored.value("word_lengths", json()) != json(bits))
-    throw file_error(path.string(), 0,
-                     "is damaged, expected a row of this sweep; removing it measures it again");
-  return parse_errors(path.string(), stored["domains"]);
+/// What a row says of itself besides its errors.
+json head_of(const sweep_point& point) {
+  return {
+      {"word_lengths", point.bits}, {"options", point.options}, {"rounding", specular::name_of(point.how)}};
 }
 
-std::string row_text(const word_lengths& bits, const error_table& table) {
-  return stored_text({{"word_lengths", bits}, {"domains", json_of(table)}});
+/// \param path  for messages
+error_table parse_row(const std::string& path, const std::string& text, const sweep_point& point) {
+  const json stored = parse_json(path, text);
+  const json head = head_of(point);
+  bool is_row = stored.is_object() && stored.contains("domains");
+  for (const auto& [key, value] : head.items())
+    is_row = is_row && stored.contains(key) && stored[key] == value;
+  if (!is_row)
+    throw file_error(path, 0, "is damaged, expected a row of this sweep; removing it measures it again");
+  return parse_errors(path, stored["domains"]);
+}
+
+std::string row_text(const sweep_point& point, const error_table& table) {
+  json row = head_of(point);
+  row["domains"] = json_of(table);
+  return stored_text(row);
 }
 
 /// The folder of a sweep, made if it does not exist and locked for one run as long as this object lives.
@@ -136,6 +159,55 @@ std::string format_for(int cos_bits) {
   return best;
 }
 
+/// \throws std::invalid_argument for what is there twice, or nothing
+template <class T, class Name>
+void check_list(const std::string& option, std::vector<T> list, Name name) {
+  if (list.empty())
+    throw std::invalid_argument(fmt::format("--{} has no value, expected one or more", option));
+  std::ranges::sort(list);
+  const auto twice = std::ranges::adjacent_find(list);
+  if (twice != list.end())
+    throw std::invalid_argument(fmt::format("--{} has {} twice, expected each once", option, name(*twice)));
+}
+
+/// The combinations at so many bits of the cosine, and how many the laws refuse.
+void add_points(const sweep& of, const option_values& line, int cos, std::vector<sweep_point>& points,
+                std::size_t& refused) {
+  const selection asked = choose(of.device, format_for(cos), line);
+  word_lengths bits = asked.of().widths(asked);
+  bits["cos"] = cos;
+  for (const auto& [name, range] : of.widths) {
+    if (name != "cos") bits[name] = range.first;
+  }
+  // An odometer over the other ranges, the last of them fastest.
+  for (bool is_more = true; is_more;) {
+    for (const specular::rounding how : of.roundings) {
+      try {
+        judge(asked, bits, how);
+        points.push_back({bits, line, how, asked});
+      } catch (const std::invalid_argument&) {
+        ++refused;
+      }
+    }
+    is_more = false;
+    for (auto digit = of.widths.rbegin(); digit != of.widths.rend() && !is_more; ++digit) {
+      const auto& [name, range] = *digit;
+      if (name == "cos") continue;
+      is_more = bits[name] < range.last;
+      bits[name] = is_more ? bits[name] + 1 : range.first;
+    }
+  }
+}
+
+std::string command_of(const sweep& of, const sweep_point& point) {
+  std::string command =
+      fmt::format("build/bin/blysk explore --device {}{}", of.device, option_words(point.options));
+  for (const auto& [name, width] : point.bits) command += fmt::format(" --{} {}", name, width);
+  if (point.how != specular::rounding::nearest)
+    command += fmt::format(" --rounding {}", specular::name_of(point.how));
+  return command;
+}
+
 }  // namespace
 
 width_range parse_range(const std::string& name, const std::string& text) {
@@ -160,58 +232,90 @@ shard parse_shard(const std::string& text) {
       fmt::format("--shard is {}, expected one of so many, such as 1/4 .. 4/4", text));
 }
 
+std::vector<std::string> split_list(const std::string& text) {
+  std::vector<std::string> parts;
+  std::size_t begin = 0;
+  for (std::size_t end = text.find(','); end != std::string::npos; end = text.find(',', begin)) {
+    parts.push_back(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  parts.push_back(text.substr(begin));
+  return parts;
+}
+
+std::vector<specular::rounding> parse_roundings(const std::string& text) {
+  std::vector<specular::rounding> roundings;
+  if (text == "all") {
+    for (const specular::named_rounding& each : specular::kRoundings) roundings.push_back(each.which);
+    return roundings;
+  }
+  for (const std::string& name : split_list(text)) roundings.push_back(find_rounding(name));
+  return roundings;
+}
+
+std::vector<option_values> sweep::option_lines() const {
+  std::vector<option_values> lines{{}};
+  for (const auto& [name, values] : options) {
+    std::vector<option_values> longer;
+    for (const option_values& line : lines) {
+      for (const std::string& value : values) {
+        longer.push_back(line);
+        longer.back()[name] = value;
+      }
+    }
+    lines = std::move(longer);
+  }
+  return lines;
+}
+
 void sweep::check() const {
-  const selection asked = choose(device, std::string(format_names[0]), options);
-  judge(asked);
-  const word_lengths known = asked.of().widths(asked);
-  std::string names;
-  for (const auto& [name, width] : known) names += (names.empty() ? "" : ", ") + name;
-  for (const auto& [name, range] : widths) {
-    if (!known.contains(name))
-      throw std::invalid_argument(
-          fmt::format("device {} has no word length {}, expected {}", device, name, names));
-    if (name == "cos" && range.last > kWidestCosine)
-      throw std::invalid_argument(
-          fmt::format("--cos goes to {}, expected at most {}, where every input can be tried", range.last,
-                      kWidestCosine));
+  for (const auto& [name, values] : options)
+    check_list(name, values, [](const std::string& value) { return value; });
+  check_list("rounding", roundings, [](specular::rounding how) { return specular::name_of(how); });
+  for (const option_values& line : option_lines()) {
+    const selection asked = choose(device, std::string(format_names[0]), line);
+    const word_lengths known = asked.of().widths(asked);
+    for (const specular::rounding how : roundings) judge(asked, known, how);
+    std::string names;
+    for (const auto& [name, width] : known) names += (names.empty() ? "" : ", ") + name;
+    for (const auto& [name, range] : widths) {
+      if (!known.contains(name))
+        throw std::invalid_argument(
+            fmt::format("device {} has no word length {}, expected {}", device, name, names));
+      if (name == "cos" && range.last > kWidestCosine)
+        throw std::invalid_argument(
+            fmt::format("--cos goes to {}, expected at most {}, where every input can be tried", range.last,
+                        kWidestCosine));
+    }
   }
 }
 
 std::pair<std::vector<sweep_point>, std::size_t> points_of(const sweep& of) {
   of.check();
-  std::vector<sweep_point> points;
-  std::size_t refused = 0;
+  std::pair<std::vector<sweep_point>, std::size_t> found;
   const auto cosines = of.widths.contains("cos") ? of.widths.at("cos") : width_range{16, 16};
-  // An odometer over the other ranges, the last of them fastest.
-  for (int cos = cosines.first; cos <= cosines.last; ++cos) {
-    const selection asked = choose(of.device, format_for(cos), of.options);
-    word_lengths bits = asked.of().widths(asked);
-    bits["cos"] = cos;
-    for (const auto& [name, range] : of.widths) {
-      if (name != "cos") bits[name] = range.first;
-    }
-    for (bool is_more = true; is_more;) {
-      try {
-        judge(asked, bits);
-        points.push_back({bits, asked});
-      } catch (const std::invalid_argument&) {
-        ++refused;
-      }
-      is_more = false;
-      for (auto digit = of.widths.rbegin(); digit != of.widths.rend() && !is_more; ++digit) {
-        const auto& [name, range] = *digit;
-        if (name == "cos") continue;
-        is_more = bits[name] < range.last;
-        bits[name] = is_more ? bits[name] + 1 : range.first;
-      }
-    }
+  for (const option_values& line : of.option_lines()) {
+    for (int cos = cosines.first; cos <= cosines.last; ++cos)
+      add_points(of, line, cos, found.first, found.second);
   }
-  return {points, refused};
+  return found;
 }
 
-std::string name_of(const word_lengths& bits) {
+std::optional<std::string> sweep_point::format() const {
+  const bool is_built = how == specular::rounding::nearest && bits == asked.of().widths(asked);
+  return is_built ? std::optional(asked.format()) : std::nullopt;
+}
+
+std::string sweep_point::name(const sweep& of) const {
   std::string text;
-  for (const auto& [name, width] : bits) text += fmt::format("{}{}_{}", text.empty() ? "" : "_", name, width);
+  const auto add = [&](const auto& key, const auto& value) {
+    text += fmt::format("{}{}_{}", text.empty() ? "" : "_", key, value);
+  };
+  for (const auto& [key, width] : bits) add(key, width);
+  for (const auto& [key, value] : options) {
+    if (of.options.at(key).size() > 1) add(key, value);
+  }
+  if (how != specular::rounding::nearest) add("rounding", specular::name_of(how));
   return text;
 }
 
@@ -232,19 +336,20 @@ std::vector<sweep_row> run_sweep(const sweep& of, const sweep_settings& settings
   }
   std::vector<sweep_row> rows;
   for (const sweep_point& point : points) {
-    const fs::path place = is_kept ? place_of(settings.folder, point.bits) : fs::path();
+    const fs::path place = is_kept ? fs::path(settings.folder) / file_of(of, point) : fs::path();
     const auto share = [&](double of_row) {
       if (advanced)
         advanced((static_cast<double>(rows.size()) + of_row) / static_cast<double>(points.size()));
     };
     if (is_kept && fs::exists(place)) {
-      rows.push_back({point.bits, read_row(place, point.bits)});
+      rows.push_back({point, parse_row(place.string(), read_text(place), point)});
     } else {
-      const error_table table = measure_errors(judge(point.asked, point.bits), settings.threads, share);
-      const std::string text = row_text(point.bits, table);
+      const error_table table =
+          measure_errors(judge(point.asked, point.bits, point.how), settings.threads, share);
+      const std::string text = row_text(point, table);
       if (is_kept) write_text(place, text);
       // What is printed now is what another run reads.
-      rows.push_back({point.bits, parse_errors(place.string(), json::parse(text)["domains"])});
+      rows.push_back({point, parse_row(place.string(), text, point)});
     }
     share(0);
   }
@@ -281,11 +386,11 @@ std::pair<sweep, std::vector<sweep_row>> merge_shards(const std::vector<std::str
         fmt::format("shard {}/{} is missing, expected the folders of all shards", *missing.begin(), count));
   std::vector<sweep_row> rows;
   for (const sweep_point& point : points_of(*of).first) {
-    const std::string name = name_of(point.bits) + ".json";
+    const std::string name = file_of(*of, point);
     const auto found = texts.find(name);
     if (found == texts.end())
       throw usage_error(fmt::format("row {} is in no shard, expected shards that came to their ends", name));
-    rows.push_back({point.bits, parse_errors(name, parse_json(name, found->second)["domains"])});
+    rows.push_back({point, parse_row(name, found->second, point)});
   }
   texts[kDescription] = stored_text(json_of(*of, {}));
   write_directory(to, texts);
@@ -294,16 +399,17 @@ std::pair<sweep, std::vector<sweep_row>> merge_shards(const std::vector<std::str
 
 nlohmann::ordered_json json_rows(const sweep& of, const std::vector<sweep_row>& rows,
                                  const std::vector<domain>& domains) {
-  std::string options;
-  for (const auto& [name, value] : of.options)
-    options += fmt::format(" --{}{}", name, value == "on" ? "" : " " + value);
   json result = json::array();
-  for (const sweep_row& row : rows) {
-    std::string command = fmt::format("build/bin/blysk explore --device {}{}", of.device, options);
-    for (const auto& [name, width] : row.bits) command += fmt::format(" --{} {}", name, width);
+  for (const auto& [point, errors] : rows) {
+    const std::string command = command_of(of, point);
+    const std::optional<std::string> format = point.format();
     for (const domain where : domains) {
-      json each{{"device", of.device}, {"options", of.options}, {"word_lengths", row.bits}};
-      put_errors(each, &row.errors, where);
+      json each{{"device", of.device},
+                {"format", format ? json(*format) : json(nullptr)},
+                {"options", point.options},
+                {"word_lengths", point.bits},
+                {"rounding", specular::name_of(point.how)}};
+      put_errors(each, &errors, where);
       each["command"] = command;
       result.push_back(std::move(each));
     }

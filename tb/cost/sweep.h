@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Errors of a device over word lengths of its bit-accurate model, a file for each combination in a folder.
+/// Errors of a device over word lengths, roundings and options of its bit-accurate model, a file for each combination in a
+/// folder.
 ///
 /// A folder belongs to one sweep, of which sweep.json tells. Each row is written as a whole, so a sweep that was killed
 /// goes on where it stopped; a lock keeps two runs apart. Shards of a sweep go into folders of their own and are merged.
@@ -7,6 +8,7 @@
 
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -33,29 +35,51 @@ struct shard {
 /// \throws std::invalid_argument for another text, or an index that is not 1..count
 shard parse_shard(const std::string& text);
 
-/// What is swept.
+/// "a,b" without its commas.
+std::vector<std::string> split_list(const std::string& text);
+
+/// "nearest,truncate", or "all".
+/// \throws std::invalid_argument for a rounding that does not exist
+std::vector<specular::rounding> parse_roundings(const std::string& text);
+
+using option_values = std::map<std::string, std::string>;
+
+/// What is swept: each value of the options with each word length and each rounding.
 struct sweep {
   std::string device;
-  std::map<std::string, std::string> options;  ///< those given
-  std::map<std::string, width_range> widths;   ///< those given
+  std::map<std::string, std::vector<std::string>> options;  ///< those given
+  std::map<std::string, width_range> widths;                ///< those given
+  std::vector<specular::rounding> roundings{specular::rounding::nearest};
 
-  /// \throws std::invalid_argument if the device, an option or a word length does not exist
+  /// \throws std::invalid_argument if the device, an option, a word length or a rounding does not exist, or is there twice
   void check() const;
+
+  /// One value of each option.
+  std::vector<option_values> option_lines() const;
 };
 
 /// A combination, and what is to be measured. Word lengths that no range names are those of the widest format that has no
 /// more bits of the cosine, or of the narrowest.
 struct sweep_point {
   word_lengths bits;
+  option_values options;
+  specular::rounding how;
   selection asked;
+
+  /// The named format that has these word lengths and rounds so, and whose hardware can therefore be exported and measured.
+  std::optional<std::string> format() const;
+
+  /// "cos_8_coefficient_8_square_16": the file of its row; options of which the sweep has one value and the rounding to
+  /// nearest are left out.
+  std::string name(const sweep& of) const;
 };
 
 /// The combinations that the laws allow, and how many they refuse.
 std::pair<std::vector<sweep_point>, std::size_t> points_of(const sweep& of);
 
-/// The measured rows.
+/// A measured row.
 struct sweep_row {
-  word_lengths bits;
+  sweep_point point;
   error_table errors;
 };
 
@@ -81,8 +105,5 @@ std::pair<sweep, std::vector<sweep_row>> merge_shards(const std::vector<std::str
 /// The rows as `blysk explore --json` prints them.
 nlohmann::ordered_json json_rows(const sweep& of, const std::vector<sweep_row>& rows,
                                  const std::vector<domain>& domains);
-
-/// "cos_8_coefficient_8_square_16"
-std::string name_of(const word_lengths& bits);
 
 }  // namespace blysk::cost

@@ -51,10 +51,6 @@ auto& find_in(const List& list, const std::string& name, Key key, const char* wh
   throw std::invalid_argument(fmt::format("{} {} does not exist, expected {}", what, name, names));
 }
 
-const errors& errors_in(const configuration& of, domain where) {
-  return of.errors->at(static_cast<std::size_t>(where));
-}
-
 const named_domain& named(domain which) {
   return *std::ranges::find(kDomains, which, &named_domain::which);
 }
@@ -121,7 +117,7 @@ std::vector<std::string> cells_of(const configuration& of, const metric& by, dom
     return mhz > 0 ? fmt::format("{:.2f}", mhz / of.cycles_per_result()) : kNothing;
   };
   std::vector<std::string> cells{of.label()};
-  cells.push_back(of.errors ? number_text(by.of(errors_in(of, where))) : kNothing);
+  cells.push_back(of.has_errors_in(where) ? number_text(by.of(of.errors_in(where))) : kNothing);
   cells.push_back(cost.ice40 ? fmt::format("{}", cost.ice40->lut) : kNothing);
   cells.push_back(cost.ice40 ? fmt::format("{}", cost.ice40->ram_bits / 4096) : kNothing);
   cells.push_back(cost.ice40_dsp ? fmt::format("{} + {}", cost.ice40_dsp->lut, cost.ice40_dsp->dsp)
@@ -175,7 +171,7 @@ const technology& find_technology(const std::string& name) {
 void put_errors(nlohmann::ordered_json& row, const error_table* table, domain where) {
   row["domain"] = named(where).name;
   row["status"] = nullptr;
-  if (table == nullptr) {
+  if (table == nullptr || (*table)[static_cast<std::size_t>(where)].points == 0) {
     for (const metric& each : metrics()) row[std::string(each.key)] = nullptr;
     return;
   }
@@ -297,8 +293,8 @@ std::vector<candidate> candidates(const std::vector<configuration>& all, const m
   std::vector<candidate> found;
   for (const configuration& each : all) {
     const std::optional<double> cost = in.cost(each);
-    if (cost && each.errors && (mhz <= 0 || in.mhz(each) >= mhz))
-      found.push_back({&each, *cost, by.of(errors_in(each, where))});
+    if (cost && each.has_errors_in(where) && (mhz <= 0 || in.mhz(each) >= mhz))
+      found.push_back({&each, *cost, by.of(each.errors_in(where))});
   }
   return found;
 }

@@ -24,8 +24,8 @@ void write_row(const scratch& folder, const std::string& format, int lut, double
   cost["osu018"] = from;
   cost["osu018"].update({{"cells", 1}, {"area_nand2", area}, {"path_ns", 10.0}});
   json errors{{"device", kDevice}, {"format", format}, {"options", json::object()}};
-  for (const char* domain :
-       {"whole", "lobe", "epicentre", "epicentre-0.60", "epicentre-0.56", "epicentre-inflection", "sphere"}) {
+  for (const char* domain : {"whole", "lobe", "epicentre", "epicentre-0.60", "epicentre-0.56",
+                             "epicentre-inflection", "sphere", "teapot"}) {
     json& of = errors["domains"][domain];
     of = {{"status", "exhaustive"}, {"points", 10},         {"max_abs_n", 1},
           {"relative_points", 9},   {"ulps", {1, 2, 3, 4}}, {"falls", 0}};
@@ -193,6 +193,11 @@ TEST_CASE("explore refuses bad use and bad files in one line", "[explore]") {
   fails("--cos 12..8", "--cos is 12..8");
   fails("--cos 8 --square 20", "no combination of these word lengths fits");
   fails("--cos 8 --html x.html", "rows that are measured now have no cost");
+  fails("--cos 8 --cos 9", "--cos is 8 and 9, expected one of them");
+  fails("--cos 4 --rounding up", "rounding up does not exist, expected nearest, even, truncate, jam, or all");
+  fails("--cos 4 --rounding ''", "rounding  does not exist");
+  fails("--cos 4 --rounding jam,jam", "--rounding has jam twice, expected each once");
+  fails("--rounding truncate --tolerance 1", "rows that are measured now have no cost");
   fails("--measured " + quoted(folder.path("none")), "none: is no folder");
   fs::create_directory(folder.path("empty"));
   fails("--measured " + quoted(folder.path("empty")), "holds no measured rows");

@@ -12,6 +12,7 @@
 #include "tb/cost/error_sums.h"
 #include "tb/cost/errors.h"
 #include "tb/golden/sphere.h"
+#include "tb/golden/teapot.h"
 #include "tb/specular/specular.h"
 
 namespace {
@@ -78,6 +79,7 @@ bool is_in(domain which, const point& p, real device, real exact) {
       return at_inflection;
     case domain::whole:
     case domain::sphere:
+    case domain::teapot:
       break;
   }
   return true;
@@ -128,15 +130,8 @@ std::vector<point> grid_points(int bits, int first_n, int last_n) {
   return points;
 }
 
-/// N.H by the half angle's own formula, and the codes before each in increasing order.
-std::vector<point> sphere_points(int bits, int first_n, int last_n) {
-  const golden::sphere_scene scene;
-  std::vector<double> cosines;
-  for (const auto& pixel : golden::sphere_pixels(scene)) {
-    const auto& [x, y, z] = pixel.normal;
-    if (x * scene.light.x + y * scene.light.y + z * scene.light.z <= 0) continue;
-    cosines.push_back(golden::clamped_cosine(pixel.normal, golden::half_vector(scene.light, scene.view)));
-  }
+/// Cosines with their codes, in increasing order.
+std::vector<point> pixel_points(std::vector<double> cosines, int bits, int first_n, int last_n) {
   std::ranges::sort(cosines);
   std::vector<point> points;
   for (int n = first_n; n <= last_n; ++n) {
@@ -148,6 +143,30 @@ std::vector<point> sphere_points(int bits, int first_n, int last_n) {
     }
   }
   return points;
+}
+
+/// N.H by the half angle's own formula.
+std::vector<point> sphere_points(int bits, int first_n, int last_n) {
+  const golden::sphere_scene scene;
+  std::vector<double> cosines;
+  for (const auto& pixel : golden::sphere_pixels(scene)) {
+    const auto& [x, y, z] = pixel.normal;
+    if (x * scene.light.x + y * scene.light.y + z * scene.light.z <= 0) continue;
+    cosines.push_back(golden::clamped_cosine(pixel.normal, golden::half_vector(scene.light, scene.view)));
+  }
+  return pixel_points(std::move(cosines), bits, first_n, last_n);
+}
+
+/// N.H = N.(L + V) / |L + V| of the teapot's pixels that the light falls on.
+std::vector<point> teapot_points(int bits, int first_n, int last_n) {
+  static const std::vector<golden::teapot_pixel> pixels = golden::teapot_pixels({});
+  const auto light = golden::teapot_scene{}.light;
+  std::vector<double> cosines;
+  for (const auto& [x, y, normal, view] : pixels) {
+    if (golden::dot(normal, light) <= 0 || golden::dot(normal, view) <= 0) continue;
+    cosines.push_back(golden::clamped_cosine(normal, golden::normalised(light + view)));
+  }
+  return pixel_points(std::move(cosines), bits, first_n, last_n);
 }
 
 void check_equal(const errors& a, const errors& b) {
@@ -178,6 +197,10 @@ std::vector<selection> shaders(const std::string& format) {
       all.push_back(choose(each->name(), format));
   }
   return all;
+}
+
+bool is_of_pixels(domain which) {
+  return which == domain::sphere || which == domain::teapot;
 }
 
 const errors& in(const error_table& table, domain which) {
@@ -230,7 +253,7 @@ TEST_CASE("errors of q8 and q10 by a loop over points", "[cost]") {
         table_of_results results(of);
         const std::vector<point> grid = grid_points(of.cos_bits, first_n, last_n);
         for (const named_domain& each : kDomains) {
-          if (each.which == domain::sphere) continue;
+          if (is_of_pixels(each.which)) continue;
           CAPTURE(each.name);
           check_equal(in(table, each.which), sum_up(each.which, grid, of.cos_bits, results));
         }
@@ -238,6 +261,11 @@ TEST_CASE("errors of q8 and q10 by a loop over points", "[cost]") {
         check_equal(
             in(table, domain::sphere),
             sum_up(domain::sphere, sphere_points(of.cos_bits, first_n, last_n), of.cos_bits, results));
+        check_equal(
+            in(table, domain::teapot),
+            sum_up(domain::teapot, teapot_points(of.cos_bits, first_n, last_n), of.cos_bits, results));
+        // A domain of pixels by itself is what it is among the others.
+        CHECK(json_of(measure_on_pixels(of, domain::teapot, 1)) == json_of(in(table, domain::teapot)));
       }
     }
   }
@@ -316,7 +344,7 @@ TEST_CASE("errors keep what holds for all of them", "[cost]") {
       CHECK(e.rms_err <= e.max_abs_err);
       CHECK(e.relative_points <= e.points);
       CHECK(e.mean_rel_err <= e.max_rel_err);
-      if (each.which == domain::sphere) continue;
+      if (is_of_pixels(each.which)) continue;
       CHECK(e.points <= in(table, domain::whole).points);
       CHECK(e.max_abs_err <= in(table, domain::whole).max_abs_err);
     }
@@ -345,4 +373,15 @@ TEST_CASE("a table of errors is read as it was written", "[cost]") {
   damaged = stored;
   damaged["lobe"]["status"] = "guessed";
   CHECK_THROWS_WITH(parse_errors("file", damaged), Catch::Contains("status is not exhaustive"));
+  const auto refused = [&](const char* key, const nlohmann::ordered_json& value, const char* why) {
+    nlohmann::ordered_json other = stored;
+    other["whole"][key] = value;
+    CHECK_THROWS_WITH(parse_errors("file", other), Catch::Contains(why));
+  };
+  refused("points", -3, "points is no count");
+  refused("points", 1, "ulps do not add up to points");
+  refused("points", "many", "is damaged");
+  refused("rms_err", -0.5, "rms_err is below zero");
+  refused("rms_err", nullptr, "a key is missing or of another type");
+  refused("ulps", {1, 2, 3}, "is damaged");
 }

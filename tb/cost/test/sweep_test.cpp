@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <set>
 
 #include "tb/catch.h"
 #include "tb/cost/sweep.h"
@@ -38,6 +39,11 @@ class scratch {
 /// Four small combinations.
 sweep small() {
   return {kDevice, {}, {{"cos", {4, 5}}, {"coefficient", {4, 5}}, {"square", {8, 8}}}};
+}
+
+/// Of the row's file.
+std::string name_of(std::size_t point) {
+  return points_of(small()).first[point].name(small()) + ".json";
 }
 
 nlohmann::ordered_json json_of(const std::vector<sweep_row>& rows) {
@@ -77,16 +83,77 @@ TEST_CASE("a sweep has every combination that the laws allow", "[cost]") {
   CHECK_THROWS_WITH(points_of({kDevice, {}, {{"cos", {8, 25}}}}), Contains("expected at most 24"));
 }
 
+TEST_CASE("roundings are read or refused", "[cost]") {
+  using specular::rounding;
+  CHECK(parse_roundings("all") ==
+        std::vector{rounding::nearest, rounding::even, rounding::truncate, rounding::jam});
+  CHECK(parse_roundings("jam,nearest") == std::vector{rounding::jam, rounding::nearest});
+  for (const char* text : {"", "up", "nearest,", "nearest jam", "all,jam"}) {
+    CAPTURE(text);
+    CHECK_THROWS_WITH(parse_roundings(text), Contains("does not exist, expected nearest, even"));
+  }
+}
+
+TEST_CASE("a sweep has every rounding and every value of an option", "[cost]") {
+  using specular::rounding;
+  // The first option of the device of which there are several to choose from.
+  std::string option;
+  std::vector<std::string> values;
+  for (const blysk::option& each : devices().front()->options()) {
+    if (each.values.size() < 2 || each.is_flag()) continue;
+    option = each.name;
+    values = each.values;
+    break;
+  }
+  REQUIRE(values.size() >= 2);
+  const sweep of{kDevice, {{option, values}}, {{"cos", {4, 4}}}, {rounding::nearest, rounding::truncate}};
+  const std::vector<sweep_point> points = points_of(of).first;
+  REQUIRE(points.size() == 2 * values.size());
+  std::set<std::string> names;
+  for (const sweep_point& each : points) names.insert(each.name(of));
+  CHECK(names.size() == points.size());
+  CHECK(points[0].how == rounding::nearest);
+  CHECK(points[1].how == rounding::truncate);
+  CHECK(points[1].name(of) == points[0].name(of) + "_rounding_truncate");
+
+  const scratch folder;
+  const auto rows = json_rows(of, run_sweep(of, {folder.path("sweep"), {}, 1}, {}), {domain::whole});
+  CHECK(rows == json_rows(of, run_sweep(of, {folder.path("sweep"), {}, 1}, {}), {domain::whole}));
+  CHECK(rows[0]["options"][option] == values[0]);
+  CHECK(rows[2]["options"][option] == values[1]);
+  CHECK(rows[0]["rounding"] == "nearest");
+  CHECK(rows[1]["rounding"] == "truncate");
+  // What is cut off is never above: half an ulp less on the average of what is not exact.
+  CHECK(rows[1]["bias"].get<double>() < rows[0]["bias"].get<double>());
+  CHECK(rows[0]["format"].is_null());  // no format has four bits
+  sweep twice = of;
+  twice.roundings = {rounding::jam, rounding::jam};
+  CHECK_THROWS_WITH(twice.check(), Contains("--rounding has jam twice"));
+  twice = of;
+  twice.options[option] = {values[0], values[0]};
+  CHECK_THROWS_WITH(twice.check(), Contains("twice, expected each once"));
+}
+
+TEST_CASE("a row of a format's word lengths, rounded as built, names the format", "[cost]") {
+  using specular::rounding;
+  const sweep of{kDevice, {}, {{"cos", {8, 9}}}, {rounding::nearest, rounding::even}};
+  const std::vector<sweep_point> points = points_of(of).first;
+  REQUIRE(points.size() == 4);
+  CHECK(points[0].format() == "q8");
+  CHECK(!points[1].format());
+  CHECK(!points[2].format());
+}
+
 TEST_CASE("a sweep goes on where it stopped", "[cost]") {
   const scratch folder;
   const std::string to = folder.path("sweep");
   const nlohmann::ordered_json whole = json_of(run_sweep(small(), {"", {}, 1}, {}));
   CHECK(json_of(run_sweep(small(), {to, {}, 1}, {})) == whole);
-  const std::string name = name_of(points_of(small()).first[2].bits) + ".json";
+  const std::string name = name_of(2);
   REQUIRE(fs::remove(to + "/" + name));
-  const auto others = fs::last_write_time(to + "/" + name_of(points_of(small()).first[0].bits) + ".json");
+  const auto others = fs::last_write_time(to + "/" + name_of(0));
   CHECK(json_of(run_sweep(small(), {to, {}, 2}, {})) == whole);
-  CHECK(fs::last_write_time(to + "/" + name_of(points_of(small()).first[0].bits) + ".json") == others);
+  CHECK(fs::last_write_time(to + "/" + name_of(0)) == others);
   CHECK(names_in(to).size() == 5);
 
   // A row that was damaged, another sweep, a folder of something else.
@@ -132,7 +199,11 @@ TEST_CASE("shards come together as the whole sweep", "[cost]") {
   // The whole is a sweep's folder like any other.
   CHECK(json_of(run_sweep(small(), {to, {}, 1}, {})) == whole);
 
-  const std::string lost = parts[1] + "/" + name_of(points_of(small()).first[1].bits) + ".json";
+  const std::string lost = parts[1] + "/" + name_of(1);
+  const std::string kept = folder.path("kept");
+  fs::rename(lost, kept);
+  std::ofstream(lost) << "[]";
+  CHECK_THROWS_WITH(merge_shards(parts, folder.path("again")), Contains(name_of(1) + ": is damaged"));
   REQUIRE(fs::remove(lost));
   CHECK_THROWS_WITH(merge_shards(parts, folder.path("again")), Contains("is in no shard"));
   sweep other = small();
