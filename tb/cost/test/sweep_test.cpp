@@ -106,7 +106,10 @@ TEST_CASE("a sweep has every rounding and every value of an option", "[cost]") {
     break;
   }
   REQUIRE(values.size() >= 2);
-  const sweep of{kDevice, {{option, values}}, {{"cos", {4, 4}}}, {rounding::nearest, rounding::truncate}};
+  const sweep of{kDevice,
+                 {{option, values}},
+                 {{"cos", {4, 4}}, {"coefficient", {4, 4}}, {"square", {8, 8}}},
+                 {rounding::nearest, rounding::truncate}};
   const std::vector<sweep_point> points = points_of(of).first;
   REQUIRE(points.size() == 2 * values.size());
   std::set<std::string> names;
