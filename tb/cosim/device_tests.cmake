@@ -14,7 +14,7 @@
 #   tests.cmake    sets, where they differ from what stands here:
 #     family             specular: the proofs of tb/specular/formal and the errors against c^n hold for it;
 #                        pipelined: a device of tb/specular/pipelined.h
-#     unpiped            of a pipelined one: the device without registers between its blocks
+#     computes_as        of a pipelined one: the device whose results these are
 #     rounds_in_any_way  ON: its model of any word length drops bits in each way of tb/specular/rounding.h
 #     changed_reference  a sed command that spoils the inner result of reference.v, for family specular
 #     composition_faults NAME SED...: faults in the device's Verilog that the proof of composed.v has to notice
@@ -225,7 +225,7 @@ function(blysk_device_tests device)
   set(reasons "")
   set(files ${PROJECT_SOURCE_DIR}/tb/${family}/uncovered.txt ${own}/uncovered.txt)
   if(family STREQUAL pipelined)  # the blocks are those of the other device
-    string(REPLACE - _ other ${unpiped})
+    string(REPLACE - _ other ${computes_as})
     list(APPEND files ${PROJECT_SOURCE_DIR}/tb/specular/uncovered.txt ${PROJECT_SOURCE_DIR}/tb/devices/${other}/uncovered.txt)
   endif()
   foreach(file IN LISTS files)
@@ -408,7 +408,7 @@ endfunction()
 function(blysk_pipelined_tests device)
   set(prove ${PROJECT_SOURCE_DIR}/tb/specular/formal/pipelined.sh)
   foreach(format IN LISTS blysk_checked_formats)
-    blysk_verilog_of(${unpiped} ${format})
+    blysk_verilog_of(${computes_as} ${format})
     set(other ${verilog_folder})
     blysk_verilog_of(${device} ${format})
     foreach(property wiring stand control)
@@ -416,7 +416,7 @@ function(blysk_pipelined_tests device)
       blysk_label(full cosim.${device}.formal.${format}.${property})
     endforeach()
   endforeach()
-  blysk_verilog_of(${unpiped} q8)
+  blysk_verilog_of(${computes_as} q8)
   set(other ${verilog_folder})
   blysk_verilog_of(${device} q8)
   set(faults inverted_colour wiring "s/b_i(g_last)/b_i(~g_last)/" "proof did fail"

@@ -124,7 +124,7 @@ check() {
   done | sha256sum | cut -d ' ' -f 1)"
 
   # Errors: those of the device whose results these are.
-  other=$(sed -nE 's/^set\(unpiped ([a-z-]+)\).*/\1/p' "$root/tb/devices/$device/tests.cmake" 2>/dev/null) || other=''
+  other=$(sed -nE 's/^set\(computes_as ([a-z-]+)\).*/\1/p' "$root/tb/devices/$device/tests.cmake" 2>/dev/null) || other=''
   file=$root/docs/tables/${other:-$device}/errors_$format.json
   file=${file//-/_}
   if [ -f "$file" ]; then

@@ -55,13 +55,6 @@ int pipelined::fewest_stages() const {
   return static_cast<int>(found - balanced().begin()) + 1;
 }
 
-selection pipelined::of_other(const selection& asked) const {
-  std::map<std::string, std::string> values = asked.values();
-  values.erase("stages");
-  values.erase("cuts");
-  return choose(whose_, asked.format(), values, asked.is_for());
-}
-
 pipeline_cuts pipelined::cuts(const selection& asked) const {
   const std::size_t count = levels_.size();
   const std::string& stages = asked.value("stages");
@@ -97,16 +90,12 @@ std::vector<port> pipelined::with_stages(std::vector<port> ports, const selectio
   return ports;
 }
 
-std::string pipelined::source() const {
-  return choose(whose_, std::string(format_names[0])).of().source();
-}
-
 std::string pipelined::figure() const {
-  return choose(whose_, std::string(format_names[0])).of().figure() + ", with registers between its blocks";
+  return other().figure() + ", with registers between its blocks";
 }
 
 std::vector<option> pipelined::options() const {
-  std::vector<option> all = choose(whose_, std::string(format_names[0])).of().options();
+  std::vector<option> all = device_of_same_values::options();
   all.push_back({.name = "stages",
                  .help = "stages of the pipeline; without it as many as the shortest clock needs",
                  .is_wired = true});
@@ -117,8 +106,7 @@ std::vector<option> pipelined::options() const {
 }
 
 void pipelined::check(const selection& asked) const {
-  const selection other = of_other(asked);
-  other.of().check(other);
+  device_of_same_values::check(asked);
   if (asked.is_for() == purpose::hardware) cuts(asked);
 }
 
@@ -143,8 +131,7 @@ std::map<std::string, std::string> pipelined::canonical(const selection& asked) 
 }
 
 std::string pipelined::words(const selection& asked) const {
-  const selection other = of_other(asked);
-  const std::string own = other.of().words(other);
+  const std::string own = other().words(of_other(asked));
   if (asked.is_for() == purpose::formula) return own;
   std::string places;
   const pipeline_cuts found = cuts(asked);
@@ -154,45 +141,6 @@ std::string pipelined::words(const selection& asked) const {
   }
   return fmt::format("{}{}{} stage{}{}", own, own.empty() ? "" : ", ", 1 + found.between(0, count - 1),
                      places.empty() ? "" : "s", places.empty() ? "" : ", cuts " + places);
-}
-
-std::unique_ptr<engine> pipelined::make_bit(const selection& asked) const {
-  const selection other = of_other(asked);
-  return other.of().make_bit(other);
-}
-
-std::int64_t pipelined::rom_bits(const selection& asked) const {
-  const selection other = of_other(asked);
-  return other.of().rom_bits(other);
-}
-
-word_lengths pipelined::widths(const selection& asked) const {
-  const selection other = of_other(asked);
-  return other.of().widths(other);
-}
-
-std::unique_ptr<engine> pipelined::make_bit(const selection& asked, const word_lengths& bits) const {
-  const selection other = of_other(asked);
-  return other.of().make_bit(other, bits);
-}
-
-std::unique_ptr<engine> pipelined::make_golden(const selection& asked) const {
-  const selection other = of_other(asked);
-  return other.of().make_golden(other);
-}
-
-std::size_t pipelined::enumerated() const {
-  return choose(whose_, std::string(format_names[0])).of().enumerated();
-}
-
-std::vector<std::int64_t> pipelined::corners(const selection& asked,
-                                             std::span<const std::int64_t> before) const {
-  const selection other = of_other(asked);
-  return other.of().corners(other, before);
-}
-
-std::optional<selection> pipelined::computes_as(const selection& asked) const {
-  return of_other(asked);
 }
 
 }  // namespace blysk::specular

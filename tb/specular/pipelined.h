@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "rtl_sysc/devices/pipelined.h"
-#include "tb/device.h"
+#include "tb/specular/same_values.h"
 
 namespace blysk::specular {
 
@@ -26,23 +26,13 @@ std::vector<std::uint64_t> balanced_cuts(const std::vector<pipeline_level>& leve
 int longest_stage(const std::vector<pipeline_level>& levels, std::uint64_t cuts);
 
 /// The pipelined form of a device. Its options are those of the other one, and `stages` and `cuts`.
-class pipelined : public device {
+class pipelined : public device_of_same_values {
  public:
-  std::string source() const override;
   std::string figure() const override;
   std::vector<option> options() const override;
   void check(const selection& asked) const override;
   std::map<std::string, std::string> canonical(const selection& asked) const override;
   std::string words(const selection& asked) const override;
-  std::unique_ptr<engine> make_bit(const selection& asked) const override;
-  std::int64_t rom_bits(const selection& asked) const override;
-  word_lengths widths(const selection& asked) const override;
-  std::unique_ptr<engine> make_bit(const selection& asked, const word_lengths& bits) const override;
-  std::unique_ptr<engine> make_golden(const selection& asked) const override;
-  std::size_t enumerated() const override;
-  std::vector<std::int64_t> corners(const selection& asked,
-                                    std::span<const std::int64_t> before) const override;
-  std::optional<selection> computes_as(const selection& asked) const override;
   int cycles_per_row(const selection&) const override { return 1; }
 
   const std::vector<pipeline_level>& levels() const { return levels_; }
@@ -60,13 +50,11 @@ class pipelined : public device {
  protected:
   /// \param whose  the other device's name
   pipelined(std::string whose, std::vector<pipeline_level> levels)
-      : whose_(std::move(whose)), levels_(std::move(levels)) {}
+      : device_of_same_values(std::move(whose)), levels_(std::move(levels)) {}
 
  private:
-  selection of_other(const selection& asked) const;
   const std::vector<std::uint64_t>& balanced() const;
 
-  std::string whose_;
   std::vector<pipeline_level> levels_;
   mutable std::once_flag is_balanced_;
   mutable std::vector<std::uint64_t> balanced_;

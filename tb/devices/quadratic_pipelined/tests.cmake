@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # What the functions that declare a device's tests have to know of this one.
 set(family pipelined)        # of tb/specular/pipelined.h
-set(unpiped quadratic)       # the device without registers between its blocks
+set(computes_as quadratic)   # the device without registers between its blocks
 set(protocol handshake)      # start, ready and valid
 set(exhaustive q8 q10 q12)
 set(beside q8)

@@ -17,99 +17,13 @@
 
 #include "tb/catch.h"
 #include "tb/devices/test/asked.h"
-#include "tb/netlist/elaborated.h"
+#include "tb/specular/test/handshake_bench.h"
 
 namespace {
 
 using namespace blysk;
-
-constexpr double kPeriodNs = 10;
-
-/// What is seen at the outputs before a rising edge of clk.
-struct outputs {
-  bool valid;
-  bool ready;
-  std::vector<std::int64_t> results;
-  bool operator==(const outputs&) const = default;
-};
-
-class pipeline_bench {
- public:
-  pipeline_bench()
-      : asked_(test::asked_for()),
-        device_(asked_.of().elaborate(asked_, kPeriodNs)),
-        bit_(asked_.of().make_bit(asked_)) {
-    for (const auto& each : device_->ports()) {
-      const port& what = each->what;
-      if (what.is == port::role::data) data_.push_back(each.get());
-      if (what.is == port::role::result) results_.push_back(each.get());
-      if (what.is == port::role::valid) stages_ = what.settling_cycles;
-    }
-    sc_core::sc_start(kPeriodNs / 2, sc_core::SC_NS);  // the first falling edge of clk
-    cycle(false, false, true);
-  }
-
-  const selection& asked() const { return asked_; }
-  int stages() const { return stages_; }
-
-  std::vector<std::int64_t> random_point() {
-    std::vector<std::int64_t> codes;
-    for (const netlist::bound_port* each : data_) {
-      const wire_format& format = *each->what.carries;
-      codes.push_back(format.min + static_cast<std::int64_t>(
-                                       random_() % static_cast<std::uint64_t>(format.max - format.min + 1)));
-    }
-    // Small exponents and cosines near 1, where the lobe is.
-    codes[0] = 1 + static_cast<std::int64_t>(random_() % 30);
-    codes[1] = data_[1]->what.carries->max -
-               static_cast<std::int64_t>(random_() %
-                                         static_cast<std::uint64_t>(data_[1]->what.carries->max / 4 + 1));
-    return codes;
-  }
-  bool one_in(unsigned count) { return random_() % count == 0; }
-
-  void put(const std::vector<std::int64_t>& codes) {
-    for (std::size_t i = 0; i < codes.size(); ++i) data_[i]->write(codes[i]);
-  }
-
-  /// From one falling edge of clk to the next.
-  /// \return  the outputs before the rising edge between them
-  outputs cycle(bool start, bool stall, bool reset = false) {
-    device_->find("start_i").write(start ? 1 : 0);
-    device_->find("stall_i").write(stall ? 1 : 0);
-    device_->find("rst_n").write(reset ? 0 : 1);
-    sc_core::sc_start(kPeriodNs / 4, sc_core::SC_NS);
-    const outputs seen = now();
-    sc_core::sc_start(kPeriodNs * 3 / 4, sc_core::SC_NS);
-    return seen;
-  }
-
-  outputs now() const {
-    outputs seen{device_->find("valid_o").read() != 0, device_->find("ready_o").read() != 0, {}};
-    for (const netlist::bound_port* each : results_) seen.results.push_back(each->read());
-    return seen;
-  }
-
-  /// What the bit-accurate model makes of a point.
-  std::vector<std::int64_t> expected(const std::vector<std::int64_t>& codes) const {
-    columns in(asked_.of().ports(asked_), port::role::data);
-    columns out;
-    in.resize(1);
-    for (std::size_t i = 0; i < codes.size(); ++i) in[i].set(0, codes[i]);
-    bit_->run(in, out);
-    std::vector<std::int64_t> values;
-    for (const column& each : out) values.push_back(each.get(0));
-    return values;
-  }
-
- private:
-  selection asked_;
-  std::unique_ptr<netlist::elaborated> device_;
-  std::unique_ptr<engine> bit_;
-  std::vector<netlist::bound_port*> data_, results_;
-  int stages_ = 0;
-  std::mt19937_64 random_{1};
-};
+using specular::handshake_bench;
+using specular::outputs;
 
 const specular::pipelined& pipelined_of(const selection& asked) {
   return dynamic_cast<const specular::pipelined&>(asked.of());
@@ -118,14 +32,14 @@ const specular::pipelined& pipelined_of(const selection& asked) {
 }  // namespace
 
 TEST_CASE("a point takes as many cycles as there are stages", "[variants]") {
-  pipeline_bench bench;
+  handshake_bench bench;
   const int last = static_cast<int>(pipelined_of(bench.asked()).levels().size()) - 1;
-  REQUIRE(bench.stages() == 1 + pipelined_of(bench.asked()).cuts(bench.asked()).between(0, last));
+  REQUIRE(bench.latency() == 1 + pipelined_of(bench.asked()).cuts(bench.asked()).between(0, last));
   const std::vector<std::int64_t> point = bench.random_point();
   bench.put(point);
   CHECK_FALSE(bench.cycle(true, false).valid);
   bench.put(bench.random_point());
-  for (int i = 1; i < bench.stages(); ++i) CHECK_FALSE(bench.cycle(false, false).valid);
+  for (int i = 1; i < bench.latency(); ++i) CHECK_FALSE(bench.cycle(false, false).valid);
   const outputs seen = bench.cycle(false, false);
   CHECK(seen.valid);
   CHECK(seen.results == bench.expected(point));
@@ -133,7 +47,7 @@ TEST_CASE("a point takes as many cycles as there are stages", "[variants]") {
 }
 
 TEST_CASE("without stalls a point leaves in each cycle", "[variants]") {
-  pipeline_bench bench;
+  handshake_bench bench;
   std::deque<std::vector<std::int64_t>> under_way;
   int delivered = 0;
   for (int i = 0; i < 200; ++i) {
@@ -141,7 +55,7 @@ TEST_CASE("without stalls a point leaves in each cycle", "[variants]") {
     bench.put(point);
     const outputs seen = bench.cycle(true, false);
     CHECK(seen.ready);
-    CHECK(seen.valid == (i >= bench.stages()));
+    CHECK(seen.valid == (i >= bench.latency()));
     if (seen.valid) {
       REQUIRE(seen.results == bench.expected(under_way.front()));
       under_way.pop_front();
@@ -149,11 +63,11 @@ TEST_CASE("without stalls a point leaves in each cycle", "[variants]") {
     }
     under_way.push_back(point);
   }
-  CHECK(delivered == 200 - bench.stages());
+  CHECK(delivered == 200 - bench.latency());
 }
 
 TEST_CASE("with bubbles, stalls and resets each point that was taken leaves once, in order", "[variants]") {
-  pipeline_bench bench;
+  handshake_bench bench;
   std::deque<std::vector<std::int64_t>> under_way;
   std::optional<outputs> held;
   int delivered = 0, stalled = 0, lost = 0;
@@ -187,7 +101,7 @@ TEST_CASE("with bubbles, stalls and resets each point that was taken leaves once
       ++delivered;
     }
     if (start) under_way.push_back(point);
-    REQUIRE(under_way.size() <= static_cast<std::size_t>(bench.stages()));
+    REQUIRE(under_way.size() <= static_cast<std::size_t>(bench.latency()));
   }
   // A third of 20,000 cycles stalls, with a result or without.
   CHECK(delivered > 4000);
