@@ -10,7 +10,7 @@ namespace blysk {
 /// Restoring divider, a digit with each clock cycle: q_o = a_i / b_i, rounded down, for a_i <= b_i. It is the row of divide
 /// in time: one subtractor, whose difference is kept if it is not negative.
 ///
-/// Instances  div of the restoring divider.
+/// Instances  div of the restoring divider and of iterative devices.
 /// Formats    those of divide, whose quotient this is.
 /// Timing     at a rising edge of clk: while load_i is one it takes a_i and b_i and finds the first digit; else, while step_i
 ///            is one, it finds the next one. After the load and Q::frac steps q_o is the quotient.
@@ -93,6 +93,15 @@ struct divide_steps : sc_core::sc_module {
   sc_core::sc_signal<typename rest_number::raw_t> SC_NAMED(rest);
   sc_core::sc_signal<typename divisor_number::raw_t> SC_NAMED(divisor);
   sc_core::sc_signal<typename Q::raw_t> SC_NAMED(digits);
+};
+
+/// The divider that is a row in time.
+/// \tparam Row  a divide
+template <class Row>
+struct in_steps;
+template <class A, class B, class Q>
+struct in_steps<divide<A, B, Q>> {
+  using type = divide_steps<A, B, Q>;
 };
 
 }  // namespace blysk

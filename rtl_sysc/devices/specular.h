@@ -140,6 +140,12 @@ struct specular_device : sc_core::sc_module {
     // clang-format on
   }
 
+  /// As iterative_device has them: a divider is the row of subtractors itself, which needs no clock.
+  template <class Row>
+  using divider = Row;
+  template <class Divider>
+  static void pace(Divider&) {}
+
   /// As pipelined_device has them: nets are seen as they are driven.
   template <class Net>
   static Net& at(no_stage&, Net& driven) {

@@ -2,6 +2,7 @@
 // The blocks of devices that take several cycles, against next-state tables written anew here, under random inputs.
 #include <random>
 
+#include "rtl_sysc/blocks/digit_control.h"
 #include "rtl_sysc/blocks/digit_register.h"
 #include "rtl_sysc/blocks/line_control.h"
 #include "rtl_sysc/blocks/pixel_counter.h"
@@ -41,6 +42,8 @@ struct blocks {
         start.q_o(started);
     clocked(control), control.start_i(load), control.load_o(loads), control.step_o(steps);
     control.ready_o(is_ready), control.done_o(is_done);
+    clocked(taking), taking.start_i(load), taking.take_o(takes), taking.first_o(is_first);
+    taking.step_o(digit_steps), taking.ready_o(digits_ready), taking.done_o(digits_done);
     clocked(line), line.start_i(load), line.length_i(pixels), line.load_o(line_loads),
         line.step_o(line_steps);
     line.draw_o(draws), line.ready_o(line_ready);
@@ -61,11 +64,13 @@ struct blocks {
   sum_register<data, wide> sum{"sum"};
   start_register<data, wide> start{"start"};
   sequencer<kSteps> control{"control"};
+  digit_control<kSteps> taking{"taking"};
   line_control<length, kSteps> line{"line"};
   pixel_counter<length> counter{"counter"};
 
   sc_core::sc_signal<bool> clk, rst_n, load, step, add, digit_now;
   sc_core::sc_signal<bool> loads, steps, is_ready, is_done, line_loads, line_steps, draws, line_ready;
+  sc_core::sc_signal<bool> takes, is_first, digit_steps, digits_ready, digits_done;
   sc_core::sc_signal<bool> counter_loads, counter_draws, counter_ready;
   sc_core::sc_signal<data::raw_t> d;
   sc_core::sc_signal<half::raw_t> shifted;
@@ -82,6 +87,7 @@ struct state {
   int started = 0;
   int steps = 0;
   bool done = false;
+  bool is_first = false;
   int line_steps = 0;
   int pixels = 0;
   int counted = 0;
@@ -112,6 +118,7 @@ state after(const state& now, const inputs& in) {
   }
   then.steps = now.steps > 0 ? now.steps - 1 : in.load ? kSteps : 0;
   then.done = now.steps == 1;
+  then.is_first = in.load && now.steps == 0;  // the control of digits counts as that of steps does
   then.counted = now.counted > 0 ? now.counted - 1 : in.load ? in.length + 1 : 0;
   if (now.pixels == 0) {
     then.line_steps = in.load ? kSteps : 0;
@@ -148,6 +155,7 @@ TEST_CASE("blocks of several cycles follow their next-state tables", "[unit][seq
     sc_core::sc_start(1, sc_core::SC_NS);
     REQUIRE(bench.digit_now.read() == ((in.load ? in.word : now.digits) >= 8));
     REQUIRE(bench.loads.read() == (in.load && now.steps == 0));
+    REQUIRE(bench.takes.read() == (in.load && now.steps == 0));
     REQUIRE(bench.line_loads.read() == (in.load && now.pixels == 0));
     REQUIRE(bench.counter_loads.read() == (in.load && now.counted == 0));
     bench.clock();
@@ -158,6 +166,10 @@ TEST_CASE("blocks of several cycles follow their next-state tables", "[unit][seq
     REQUIRE(bench.steps.read() == (now.steps > 0));
     REQUIRE(bench.is_ready.read() == (now.steps == 0));
     REQUIRE(bench.is_done.read() == now.done);
+    REQUIRE(bench.digit_steps.read() == (now.steps > 0));
+    REQUIRE(bench.digits_ready.read() == (now.steps == 0));
+    REQUIRE(bench.digits_done.read() == now.done);
+    REQUIRE(bench.is_first.read() == now.is_first);
     REQUIRE(bench.line_steps.read() == (now.line_steps > 0));
     REQUIRE(bench.draws.read() == (now.line_steps == 0 && now.pixels > 0));
     REQUIRE(bench.line_ready.read() == (now.pixels == 0));

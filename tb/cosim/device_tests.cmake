@@ -14,7 +14,8 @@
 #   tests.cmake    sets, where they differ from what stands here:
 #     family             specular: the proofs of tb/specular/formal and the errors against c^n hold for it;
 #                        pipelined: a device of tb/specular/pipelined.h
-#     computes_as        of a pipelined one: the device whose results these are
+#                        iterative: a device of tb/specular/iterative.h; tb/specular/formal/iterative.v is its states.v
+#     computes_as        of a pipelined and of an iterative one: the device whose results these are
 #     rounds_in_any_way  ON: its model of any word length drops bits in each way of tb/specular/rounding.h
 #     changed_reference  a sed command that spoils the inner result of reference.v, for family specular
 #     composition_faults NAME SED...: faults in the device's Verilog that the proof of composed.v has to notice
@@ -59,7 +60,15 @@ function(blysk_device_tests device)
   set(state_faults "")
   set(composition_faults "")
   set(stated ${blysk_checked_formats})
+  set(states ${own}/states.v)
   include(${own}/tests.cmake OPTIONAL)
+  if(family STREQUAL iterative)
+    set(states ${PROJECT_SOURCE_DIR}/tb/specular/formal/iterative.v)
+    set(state_faults wrong_range "s/left <= DIGITS/left < DIGITS/"
+                     changed_hold "s/flag = load_i || step_i/flag = load_i || !step_i/"
+                     changed_take "s/else if (we_i)/else/"
+                     changed_valid "s/done_o <= left == 7'd1/done_o <= left == 7'd2/")
+  endif()
   set(reference ${own}/reference.v)
   set(tables ${PROJECT_SOURCE_DIR}/docs/tables/${identifier})
 
@@ -180,7 +189,7 @@ function(blysk_device_tests device)
       endif()
     elseif(family STREQUAL pipelined AND format IN_LIST blysk_checked_formats)
       string(APPEND known " proved wiring proved stand proved control")
-    elseif(EXISTS ${own}/states.v AND format IN_LIST stated)
+    elseif(EXISTS ${states} AND format IN_LIST stated)
       string(APPEND known " proved states")
     endif()
     if(EXISTS ${own}/composed.v AND format IN_LIST blysk_checked_formats)
@@ -224,7 +233,7 @@ function(blysk_device_tests device)
   # Coverage and mutants.
   set(reasons "")
   set(files ${PROJECT_SOURCE_DIR}/tb/${family}/uncovered.txt ${own}/uncovered.txt)
-  if(family STREQUAL pipelined)  # the blocks are those of the other device
+  if(family MATCHES "^(pipelined|iterative)$")  # the blocks are those of the other device
     string(REPLACE - _ other ${computes_as})
     list(APPEND files ${PROJECT_SOURCE_DIR}/tb/specular/uncovered.txt ${PROJECT_SOURCE_DIR}/tb/devices/${other}/uncovered.txt)
   endif()
@@ -254,9 +263,9 @@ function(blysk_device_tests device)
   endforeach()
   set(equivalence --prove ${CMAKE_CURRENT_SOURCE_DIR}/mutants.sh)
   set(arguments_of_mutants "")
-  if(EXISTS ${own}/states.v)
-    list(APPEND equivalence --states ${own}/states.v)
-    list(APPEND arguments_of_mutants ${own}/states.v)
+  if(EXISTS ${states})
+    list(APPEND equivalence --states ${states})
+    list(APPEND arguments_of_mutants ${states})
   endif()
   if(EXISTS ${own}/survivors.txt)
     list(APPEND equivalence --reasons ${own}/survivors.txt)
@@ -304,7 +313,7 @@ function(blysk_device_tests device)
   if(EXISTS ${own}/composed.v)
     blysk_composition_tests(${device})
   endif()
-  if(EXISTS ${own}/states.v)
+  if(EXISTS ${states})
     blysk_states_tests(${device})
   endif()
   if(family STREQUAL specular)
@@ -332,18 +341,18 @@ function(blysk_composition_tests device)
   endwhile()
 endfunction()
 
-# What a device's states.v says is proved, and the proof notices faults. Uses the variables of blysk_device_tests().
+# What a device's states.v, or its family's, says is proved, and the proof notices faults. Uses the variables of blysk_device_tests().
 function(blysk_states_tests device)
   set(prove ${CMAKE_CURRENT_SOURCE_DIR}/states.sh)
   foreach(format IN LISTS stated)
     blysk_verilog_of(${device} ${format})
-    add_test(NAME cosim.${device}.formal.${format}.states COMMAND ${prove} ${verilog_folder} ${own}/states.v ${format})
+    add_test(NAME cosim.${device}.formal.${format}.states COMMAND ${prove} ${verilog_folder} ${states} ${format})
     blysk_label(full cosim.${device}.formal.${format}.states)
   endforeach()
   blysk_verilog_of(${device} q8)
   while(state_faults)
     list(POP_FRONT state_faults name fault)
-    add_test(NAME cosim.${device}.formal.${name} COMMAND ${prove} ${verilog_folder} ${own}/states.v q8 ${fault})
+    add_test(NAME cosim.${device}.formal.${name} COMMAND ${prove} ${verilog_folder} ${states} q8 ${fault})
     set_tests_properties(cosim.${device}.formal.${name} PROPERTIES PASS_REGULAR_EXPRESSION "proof did fail")
     blysk_label(full cosim.${device}.formal.${name})
   endwhile()

@@ -60,11 +60,12 @@ struct schlick_formats {
 
 /// Schlick's lobe, in the place of the parabola of [P] fig. 1:
 ///   (r_o, g_o, b_o) = brdf * (R, G, B) k_s,   brdf = c / (n - n c + c)   [T] (1.5) (2.1)
-/// Ports, timing and reset are those of specular_device.
+/// Ports, timing and reset are those of Base.
 /// \tparam Formats  a schlick_formats
-template <class Formats>
-struct schlick : specular_device<Formats> {
-  using base = specular_device<Formats>;
+/// \tparam Base     specular_device or iterative_device
+template <class Formats, class Base = specular_device<Formats>>
+struct schlick : Base {
+  using base = Base;
   template <class Q>
   using net = typename base::template net<Q>;
 
@@ -74,7 +75,7 @@ struct schlick : specular_device<Formats> {
   typename Formats::add_cos SC_NAMED(add_cos);
   typename Formats::mul_n SC_NAMED(mul_n);
   typename Formats::add_divisor SC_NAMED(add_divisor);
-  typename Formats::div SC_NAMED(div);
+  typename base::template divider<typename Formats::div> SC_NAMED(div);
   typename Formats::quant SC_NAMED(quant);
 
   net<typename Formats::unity> SC_NAMED(unity);
@@ -96,6 +97,7 @@ struct schlick : specular_device<Formats> {
     div.a_i(this->cos_delta);       div.b_i(divisor);                                            div.q_o(quotient);
     quant.a_i(quotient);                                                                         quant.y_o(this->brdf);
     // clang-format on
+    this->pace(div);
   }
 
   /// The parts list, for readers of the structure.

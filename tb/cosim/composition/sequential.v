@@ -33,6 +33,31 @@ module sequencer #(
     end
 endmodule
 
+// After a start, DIGITS cycles with step_o, the first of them with first_o too; then one with done_o.
+module digit_control #(
+    parameter DIGITS = 1
+) (
+    input wire clk, rst_n,
+    input wire start_i,
+    output wire take_o, first_o, step_o, ready_o,
+    output reg done_o
+);
+  reg [6:0] left;
+  assign ready_o = left == 0;
+  assign step_o = left > 0;
+  assign first_o = left == DIGITS;
+  assign take_o = start_i & ready_o;
+  always @(posedge clk)
+    if (!rst_n) begin
+      left <= 0;
+      done_o <= 0;
+    end else begin
+      if (take_o) left <= DIGITS;
+      else if (step_o) left <= left - 1;
+      done_o <= left == 1;
+    end
+endmodule
+
 // After a start, length_i + 1 cycles with draw_o.
 module pixel_counter #(
     parameter D = 1
@@ -196,9 +221,9 @@ endmodule
 // Operations of a digit a cycle. What stands here is the division, and the root, as done by hand. That digits found so
 // are the quotient, and the root, is not proved here: tests of the blocks compare them with integers.
 
-// The first digit comes with the load. The divisor moves up by BU.
+// The first digit comes with the load. The dividend moves up by AU, the divisor by BU.
 module divide_steps #(
-    parameter A = 1, B = 1, BU = 0, Q = 2
+    parameter A = 1, AU = 0, B = 1, BU = 0, Q = 2
 ) (
     input wire clk, rst_n,
     input wire load_i, step_i,
@@ -211,7 +236,8 @@ module divide_steps #(
   reg [B+BU:0] rest;
   wire [B+BU-1:0] aligned = b_i;
   wire [B+BU-1:0] by = load_i ? aligned << BU : divisor;
-  wire [B+BU:0] now = load_i ? a_i : rest;
+  wire [B+BU:0] dividend = a_i;
+  wire [B+BU:0] now = load_i ? dividend << AU : rest;
   wire goes_in = now >= by;
   assign q_o = digits;
   always @(posedge clk)

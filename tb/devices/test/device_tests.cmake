@@ -120,4 +120,8 @@ function(blysk_device_unit_tests device)
     blysk_cases(pipeline pipelined_cases ${device} FORMATS q8 q24 QUICK q8 q24
                 SOURCES ${PROJECT_SOURCE_DIR}/tb/specular/test/pipelined_test.cpp)
   endif()
+  if(family STREQUAL iterative)
+    blysk_cases(iterative iterative_cases ${device} FORMATS q8 q24 QUICK q8 q24
+                SOURCES ${PROJECT_SOURCE_DIR}/tb/specular/test/iterative_test.cpp)
+  endif()
 endfunction()

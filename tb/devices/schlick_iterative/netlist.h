@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+
+#include "rtl_sysc/devices/iterative.h"
+#include "rtl_sysc/devices/schlick/schlick.h"
+#include "tb/device.h"
+#include "tb/netlist/elaborated.h"
+
+namespace blysk::schlick_iterative_device {
+
+template <class Q>
+using type = schlick<schlick_formats<Q>, iterative_device<schlick_formats<Q>>>;
+
+template <class Q>
+std::vector<port> ports(const selection&) {
+  return ports_of<type<Q>>();
+}
+
+template <class Q>
+std::unique_ptr<netlist::elaborated> elaborate(const selection&, double clock_period_ns) {
+  return std::make_unique<netlist::elaborated>(std::make_unique<type<Q>>("schlick_iterative"),
+                                               clock_period_ns);
+}
+
+}  // namespace blysk::schlick_iterative_device
