@@ -64,11 +64,12 @@ struct gx_formats {
 
 /// The quadratic over quadratic of the GameCube's GX lighting unit, in the place of the parabola of [P] fig. 1:
 ///   (r_o, g_o, b_o) = brdf * (R, G, B) k_s,   brdf = c^2 / (n/2 (1 - c^2) + c^2)
-/// Ports, timing and reset are those of specular_device.
+/// Ports, timing and reset are those of Base.
 /// \tparam Formats  a gx_formats
-template <class Formats>
-struct gx : specular_device<Formats> {
-  using base = specular_device<Formats>;
+/// \tparam Base     specular_device or iterative_device
+template <class Formats, class Base = specular_device<Formats>>
+struct gx : Base {
+  using base = Base;
   template <class Q>
   using net = typename base::template net<Q>;
 
@@ -78,7 +79,7 @@ struct gx : specular_device<Formats> {
   typename Formats::halve_n SC_NAMED(halve_n);
   typename Formats::mul_n SC_NAMED(mul_n);
   typename Formats::add_divisor SC_NAMED(add_divisor);
-  typename Formats::div SC_NAMED(div);
+  typename base::template divider<typename Formats::div> SC_NAMED(div);
   typename Formats::quant SC_NAMED(quant);
 
   net<carry> SC_NAMED(grounded);
@@ -101,6 +102,7 @@ struct gx : specular_device<Formats> {
     div.a_i(square);               div.b_i(divisor);                                          div.q_o(quotient);
     quant.a_i(quotient);                                                                      quant.y_o(this->brdf);
     // clang-format on
+    this->pace(div);
   }
 
   /// The parts list, for readers of the structure.

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+// device gx-iterative, format q12, a digit of the quotient each clock cycle, exported from the SystemC model.
+// What blysk knows of it, and the digest of its modules without this comment:
+//   computes: BRDF = c^2 / (c^2 + n (1 - c^2)/2), c = cos(delta); red, green, blue = BRDF (R, G, B) k_s
+//   digest: sha256:7d9ab9a7db4d5e061f15bb6e29fd068b2c940dc7ff45c833dfe23d0367280f43
+//   error against c^n, every code of the cosine: at most 0.203193 (n = 928, c = 0.997314453125), bias 0.0117756; 4097000 inputs, n in 1..1000, exhaustive
+//   error against c^n, pixels of a lit sphere, 512 x 512: at most 0.213657 (n = 995, c = 0.9976842579877792), bias 0.0216458; 146779000 inputs, n in 1..1000, exhaustive
+//   certificate: that of gx, whose BRDF it computes: BRDF within 0.000122071 of what it computes in real numbers, proved by Gappa 1.4.1; at most 0.0001220703125 seen, 4097000 inputs, exhaustive
+//   not known with these options: iCE40, iCE40 with DSP, iCE40 HX8K, OSU018, settling
+`default_nettype none
+
+module blysk_gx_iterative_q12 (
+    input  wire clk,  // clock
+    input  wire rst_n,  // synchronous, active low
+    input  wire [9:0] n_i,  // 16: n, UQ10.0, codes 1..1000
+    input  wire [12:0] cos_i,  // 18: cos(delta), 0..1, UQ1.12, codes 0..4096
+    input  wire [7:0] r_i,  // 19: R k_s, UQ8.0
+    input  wire [7:0] g_i,  // 21: G k_s, UQ8.0
+    input  wire [7:0] b_i,  // 23: B k_s, UQ8.0
+    input  wire start_i,  // takes the inputs while ready_o is one
+    output wire ready_o,  // start_i takes the inputs
+    output wire [19:0] r_o,  // 25: red, UQ8.12
+    output wire [19:0] g_o,  // 26: green, UQ8.12
+    output wire [19:0] b_o,  // 27: blue, UQ8.12
+    output wire valid_o  // a result is at the outputs
+);
+
+  wire take;
+  wire first;
+  wire step;
+  wire [9:0] n;  // rg1: UQ10.0, codes 1..1000
+  wire [12:0] cos_delta;  // rg2: UQ1.12, codes 0..4096
+  wire [7:0] r_ks;  // rg3: UQ8.0
+  wire [7:0] g_ks;  // rg4: UQ8.0
+  wire [7:0] b_ks;  // rg5: UQ8.0
+  wire [13:0] quotient;  // div: UQ1.13, codes 0..8192
+  wire grounded;  // ground: UQ1.0
+  wire [24:0] square;  // mul_cos: UQ1.24, codes 0..16777216
+  wire [24:0] rest;  // sub_square: UQ1.24, codes 0..16777216
+  wire [9:0] half_n;  // halve_n: UQ9.1
+  wire [33:0] drop;  // mul_n: UQ9.25
+  wire [33:0] divisor;  // add_divisor: UQ9.25
+  wire [12:0] brdf;  // quant: UQ1.12, codes 0..4096
+
+  blysk_gx_iterative_q12_digit_control_14 control (
+      .clk(clk), .rst_n(rst_n), .start_i(start_i), .take_o(take), .first_o(first), .step_o(step), .ready_o(ready_o), .done_o(valid_o)
+  );
+  blysk_gx_iterative_q12_reg_level_uq10_0 rg1 (.clk(clk), .rst_n(rst_n), .d_i(n_i), .we_i(take), .q_o(n));
+  blysk_gx_iterative_q12_reg_level_uq1_12 rg2 (
+      .clk(clk), .rst_n(rst_n), .d_i(cos_i), .we_i(take), .q_o(cos_delta)
+  );
+  blysk_gx_iterative_q12_reg_level_uq8_0 rg3 (.clk(clk), .rst_n(rst_n), .d_i(r_i), .we_i(take), .q_o(r_ks));
+  blysk_gx_iterative_q12_reg_level_uq8_0 rg4 (.clk(clk), .rst_n(rst_n), .d_i(g_i), .we_i(take), .q_o(g_ks));
+  blysk_gx_iterative_q12_reg_level_uq8_0 rg5 (.clk(clk), .rst_n(rst_n), .d_i(b_i), .we_i(take), .q_o(b_ks));
+  blysk_gx_iterative_q12_divide_steps_uq1_24_uq9_25_to_uq1_13 div (
+      .clk(clk), .rst_n(rst_n), .load_i(first), .step_i(step), .a_i(square), .b_i(divisor), .q_o(quotient)
+  );
+  blysk_gx_iterative_q12_constant_uq1_0 #(.RAW(1'd0)) ground (.y_o(grounded));  // 0
+  blysk_gx_iterative_q12_mul_uq1_12_uq1_12_to_uq1_24 mul_cos (.a_i(cos_delta), .b_i(cos_delta), .p_o(square));
+  blysk_gx_iterative_q12_one_minus_uq1_24 sub_square (.a_i(square), .y_o(rest));
+  blysk_gx_iterative_q12_move_point_uq10_0_to_uq9_1 halve_n (.a_i(n), .y_o(half_n));
+  blysk_gx_iterative_q12_mul_uq9_1_uq1_24_to_uq9_25 mul_n (.a_i(half_n), .b_i(rest), .p_o(drop));
+  blysk_gx_iterative_q12_add_uq9_25_uq1_24_to_uq9_25 add_divisor (
+      .a_i(drop), .b_i(square), .carry_i(grounded), .s_o(divisor)
+  );
+  blysk_gx_iterative_q12_quantise_uq1_13_to_uq1_12 quant (.a_i(quotient), .y_o(brdf));
+  blysk_gx_iterative_q12_mul_uq1_12_uq8_0_to_uq8_12 mul12 (.a_i(brdf), .b_i(r_ks), .p_o(r_o));
+  blysk_gx_iterative_q12_mul_uq1_12_uq8_0_to_uq8_12 mul13 (.a_i(brdf), .b_i(g_ks), .p_o(g_o));
+  blysk_gx_iterative_q12_mul_uq1_12_uq8_0_to_uq8_12 mul14 (.a_i(brdf), .b_i(b_ks), .p_o(b_o));
+
+endmodule
+
+`default_nettype wire

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+
+#include "rtl_sysc/devices/gx/gx.h"
+#include "rtl_sysc/devices/iterative.h"
+#include "tb/device.h"
+#include "tb/netlist/elaborated.h"
+
+namespace blysk::gx_iterative_device {
+
+template <class Q>
+using type = gx<gx_formats<Q>, iterative_device<gx_formats<Q>>>;
+
+template <class Q>
+std::vector<port> ports(const selection&) {
+  return ports_of<type<Q>>();
+}
+
+template <class Q>
+std::unique_ptr<netlist::elaborated> elaborate(const selection&, double clock_period_ns) {
+  return std::make_unique<netlist::elaborated>(std::make_unique<type<Q>>("gx_iterative"), clock_period_ns);
+}
+
+}  // namespace blysk::gx_iterative_device
