@@ -9,9 +9,9 @@ namespace blysk {
 
 /// Registers and quotient, which both ways to r and d share; what derives from it drives the nets fall (r) and rise (d) from
 /// the net n.
-template <class Formats>
-struct rational_quotient : specular_device<Formats> {
-  using base = specular_device<Formats>;
+template <class Formats, class Base>
+struct rational_quotient : Base {
+  using base = Base;
   template <class Q>
   using net = typename base::template net<Q>;
 
@@ -25,7 +25,7 @@ struct rational_quotient : specular_device<Formats> {
   typename Formats::mul_rise SC_NAMED(mul_rise);
   typename Formats::add_sum SC_NAMED(add_sum);
   typename Formats::quant_sum SC_NAMED(quant_sum);
-  typename Formats::div SC_NAMED(div);
+  typename base::template divider<typename Formats::div> SC_NAMED(div);
   typename Formats::quant SC_NAMED(quant);
 
   net<typename Formats::unity> SC_NAMED(unity);
@@ -58,6 +58,7 @@ struct rational_quotient : specular_device<Formats> {
     div.a_i(dividend);         div.b_i(divisor);                                         div.q_o(quotient);
     quant.a_i(quotient);                                                                 quant.y_o(this->brdf);
     // clang-format on
+    this->pace(div);
   }
 
   auto blocks() const {
@@ -69,15 +70,16 @@ struct rational_quotient : specular_device<Formats> {
 /// A rational lobe, in the place of the parabola of [P] fig. 1:
 ///   (r_o, g_o, b_o) = brdf * (R, G, B) k_s,   brdf = (1 - r u)/(1 + d u), 0 beyond its root u = 1/r,   u = 1 - c
 /// As (c + p0)/(p1 c + p2): p0 = 1/r - 1, p1 = -d/r, p2 = (1 + d)/r.
-/// Ports, timing and reset are those of specular_device.
+/// Ports, timing and reset are those of Base.
 /// \tparam Formats  a rational_formats
-template <class Formats, rational_fit Fit = Formats::fit>
+/// \tparam Base     specular_device or iterative_device
+template <class Formats, class Base = specular_device<Formats>, rational_fit Fit = Formats::fit>
 struct rational;
 
 /// r and d from two memories, which register 1 addresses.
-template <class Formats>
-struct rational<Formats, rational_fit::best> : rational_quotient<Formats> {
-  using base = rational_quotient<Formats>;
+template <class Formats, class Base>
+struct rational<Formats, Base, rational_fit::best> : rational_quotient<Formats, Base> {
+  using base = rational_quotient<Formats, Base>;
 
   typename Formats::rom_fall rom_fall;
   typename Formats::rom_rise rom_rise;
@@ -95,9 +97,9 @@ struct rational<Formats, rational_fit::best> : rational_quotient<Formats> {
 };
 
 /// r = (n + 3)/4, d = n - 1.
-template <class Formats>
-struct rational<Formats, rational_fit::line> : rational_quotient<Formats> {
-  using base = rational_quotient<Formats>;
+template <class Formats, class Base>
+struct rational<Formats, Base, rational_fit::line> : rational_quotient<Formats, Base> {
+  using base = rational_quotient<Formats, Base>;
 
   constant<typename Formats::three> node3;
   constant<typename Formats::minus_one> node_ones;

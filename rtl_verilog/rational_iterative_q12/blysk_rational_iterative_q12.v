@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+// device rational-iterative, format q12, coefficients from two memories of 1000 words, a digit of the quotient each clock cycle, exported from the SystemC model.
+// What blysk knows of it, and the digest of its modules without this comment:
+//   computes: BRDF = max(0, 1 - r u)/(1 + d u), u = 1 - c, r and d for each n, c = cos(delta); red, green, blue = BRDF (R, G, B) k_s
+//   digest: sha256:5fd3890fbd106a58d6bc31ba2d5a5c51db0c11536bdc0d0d8fde74ff246874a8
+//   error against c^n, every code of the cosine: at most 0.0249206 (n = 148, c = 0.988037109375), bias -5.55317e-05; 4097000 inputs, n in 1..1000, exhaustive
+//   error against c^n, pixels of a lit sphere, 512 x 512: at most 0.11739 (n = 1000, c = 0.9998681020194962), bias -9.7772e-05; 146779000 inputs, n in 1..1000, exhaustive
+//   certificate: that of rational, whose BRDF it computes: BRDF within 0.00016287 of what it computes in real numbers, proved by Gappa 1.4.1; at most 0.0001475735523979449 seen, 4097000 inputs, exhaustive
+//   not known with these options: iCE40, iCE40 with DSP, iCE40 HX8K, OSU018, settling
+`default_nettype none
+
+module blysk_rational_iterative_q12 (
+    input  wire clk,  // clock
+    input  wire rst_n,  // synchronous, active low
+    input  wire [9:0] n_i,  // 16: n, UQ10.0, codes 1..1000
+    input  wire [12:0] cos_i,  // 18: cos(delta), 0..1, UQ1.12, codes 0..4096
+    input  wire [7:0] r_i,  // 19: R k_s, UQ8.0
+    input  wire [7:0] g_i,  // 21: G k_s, UQ8.0
+    input  wire [7:0] b_i,  // 23: B k_s, UQ8.0
+    input  wire start_i,  // takes the inputs while ready_o is one
+    output wire ready_o,  // start_i takes the inputs
+    output wire [19:0] r_o,  // 25: red, UQ8.12
+    output wire [19:0] g_o,  // 26: green, UQ8.12
+    output wire [19:0] b_o,  // 27: blue, UQ8.12
+    output wire valid_o  // a result is at the outputs
+);
+
+  wire take;
+  wire first;
+  wire step;
+  wire [9:0] n;  // rg1: UQ10.0, codes 1..1000
+  wire [12:0] cos_delta;  // rg2: UQ1.12, codes 0..4096
+  wire [7:0] r_ks;  // rg3: UQ8.0
+  wire [7:0] g_ks;  // rg4: UQ8.0
+  wire [7:0] b_ks;  // rg5: UQ8.0
+  wire [13:0] quotient;  // div: UQ1.13, codes 0..8192
+  wire unity;  // node1: UQ1.0
+  wire grounded;  // ground: UQ1.0
+  wire [12:0] versine;  // sub_cos: UQ1.12, codes 0..4096
+  wire [12:0] brdf;  // quant: UQ1.12, codes 0..4096
+  wire [21:0] fall;  // rom_fall: UQ9.13
+  wire [23:0] drop;  // mul_fall: UQ9.15
+  wire signed [24:0] drop_inverted;  // inv_drop: SQ9.15
+  wire signed [24:0] line;  // add_line: SQ9.15
+  wire [15:0] dividend;  // quant_line: UQ1.15, codes 0..32768
+  wire [22:0] rise;  // rom_rise: UQ10.13
+  wire [24:0] climb;  // mul_rise: UQ10.15
+  wire [24:0] sum;  // add_sum: UQ10.15
+  wire [17:0] divisor;  // quant_sum: UQ3.15
+
+  blysk_rational_iterative_q12_digit_control_14 control (
+      .clk(clk), .rst_n(rst_n), .start_i(start_i), .take_o(take), .first_o(first), .step_o(step), .ready_o(ready_o), .done_o(valid_o)
+  );
+  blysk_rational_iterative_q12_reg_level_uq10_0 rg1 (.clk(clk), .rst_n(rst_n), .d_i(n_i), .we_i(take), .q_o(n));
+  blysk_rational_iterative_q12_reg_level_uq1_12 rg2 (
+      .clk(clk), .rst_n(rst_n), .d_i(cos_i), .we_i(take), .q_o(cos_delta)
+  );
+  blysk_rational_iterative_q12_reg_level_uq8_0 rg3 (
+      .clk(clk), .rst_n(rst_n), .d_i(r_i), .we_i(take), .q_o(r_ks)
+  );
+  blysk_rational_iterative_q12_reg_level_uq8_0 rg4 (
+      .clk(clk), .rst_n(rst_n), .d_i(g_i), .we_i(take), .q_o(g_ks)
+  );
+  blysk_rational_iterative_q12_reg_level_uq8_0 rg5 (
+      .clk(clk), .rst_n(rst_n), .d_i(b_i), .we_i(take), .q_o(b_ks)
+  );
+  blysk_rational_iterative_q12_divide_steps_uq1_15_uq3_15_to_uq1_13 div (
+      .clk(clk), .rst_n(rst_n), .load_i(first), .step_i(step), .a_i(dividend), .b_i(divisor), .q_o(quotient)
+  );
+  blysk_rational_iterative_q12_constant_uq1_0 #(.RAW(1'd1)) node1 (.y_o(unity));  // 1
+  blysk_rational_iterative_q12_constant_uq1_0 #(.RAW(1'd0)) ground (.y_o(grounded));  // 0
+  blysk_rational_iterative_q12_one_minus_uq1_12 sub_cos (.a_i(cos_delta), .y_o(versine));
+  blysk_rational_iterative_q12_quantise_uq1_13_to_uq1_12 quant (.a_i(quotient), .y_o(brdf));
+  blysk_rational_iterative_q12_mul_uq1_12_uq8_0_to_uq8_12 mul12 (.a_i(brdf), .b_i(r_ks), .p_o(r_o));
+  blysk_rational_iterative_q12_mul_uq1_12_uq8_0_to_uq8_12 mul13 (.a_i(brdf), .b_i(g_ks), .p_o(g_o));
+  blysk_rational_iterative_q12_mul_uq1_12_uq8_0_to_uq8_12 mul14 (.a_i(brdf), .b_i(b_ks), .p_o(b_o));
+  blysk_rational_iterative_q12_rom_uq10_0_to_uq9_13 rom_fall (.a_i(n), .y_o(fall));
+  blysk_rational_iterative_q12_mul_uq9_13_uq1_12_to_uq9_15 mul_fall (.a_i(fall), .b_i(versine), .p_o(drop));
+  blysk_rational_iterative_q12_inverter_bank_uq9_15_to_sq9_15 inv_drop (.a_i(drop), .y_o(drop_inverted));
+  blysk_rational_iterative_q12_add_uq1_0_sq9_15_to_sq9_15 add_line (
+      .a_i(unity), .b_i(drop_inverted), .carry_i(unity), .s_o(line)
+  );
+  blysk_rational_iterative_q12_quantise_sq9_15_to_uq1_15_clamp quant_line (.a_i(line), .y_o(dividend));
+  blysk_rational_iterative_q12_rom_uq10_0_to_uq10_13 rom_rise (.a_i(n), .y_o(rise));
+  blysk_rational_iterative_q12_mul_uq10_13_uq1_12_to_uq10_15 mul_rise (.a_i(rise), .b_i(versine), .p_o(climb));
+  blysk_rational_iterative_q12_add_uq1_0_uq10_15_to_uq10_15 add_sum (
+      .a_i(unity), .b_i(climb), .carry_i(grounded), .s_o(sum)
+  );
+  blysk_rational_iterative_q12_quantise_uq10_15_to_uq3_15_clamp quant_sum (.a_i(sum), .y_o(divisor));
+
+endmodule
+
+`default_nettype wire

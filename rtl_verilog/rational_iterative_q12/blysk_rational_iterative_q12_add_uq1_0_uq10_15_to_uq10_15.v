@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+// Adder: s_o = a_i + b_i + carry_i, the carry being one ulp of s_o.
+// device rational-iterative, format q12, coefficients from two memories of 1000 words, a digit of the quotient each clock cycle, exported from the SystemC model.
+`default_nettype none
+
+module blysk_rational_iterative_q12_add_uq1_0_uq10_15_to_uq10_15 (
+    input  wire a_i,  // UQ1.0
+    input  wire [24:0] b_i,  // UQ10.15
+    input  wire carry_i,
+    output wire [24:0] s_o  // UQ10.15
+);
+
+  assign s_o = {9'b0, a_i, 15'b0} + b_i + {24'b0, carry_i};
+
+endmodule
+
+`default_nettype wire

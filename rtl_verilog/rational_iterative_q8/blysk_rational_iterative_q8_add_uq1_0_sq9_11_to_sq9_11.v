@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+// Adder: s_o = a_i + b_i + carry_i, the carry being one ulp of s_o.
+// device rational-iterative, format q8, coefficients from two memories of 1000 words, a digit of the quotient each clock cycle, exported from the SystemC model.
+`default_nettype none
+
+module blysk_rational_iterative_q8_add_uq1_0_sq9_11_to_sq9_11 (
+    input  wire a_i,  // UQ1.0
+    input  wire signed [20:0] b_i,  // SQ9.11
+    input  wire carry_i,
+    output wire signed [20:0] s_o  // SQ9.11
+);
+
+  assign s_o = {9'b0, a_i, 11'b0} + b_i + {20'b0, carry_i};
+
+endmodule
+
+`default_nettype wire
