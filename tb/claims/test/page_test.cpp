@@ -7,7 +7,7 @@
 #include <set>
 #include <sstream>
 
-#include "tb/catch.h"
+#include "tb/catch_text.h"
 #include "tb/claims/test/second.h"
 #include "tb/claims/words.h"
 
@@ -34,8 +34,6 @@ std::string complaint(const std::string& row) {
   }
   return "";
 }
-
-using Catch::Matchers::Contains;
 
 }  // namespace
 
@@ -87,21 +85,26 @@ TEST_CASE("every test that a row names exists, and holds a row", "[claims]") {
 
 TEST_CASE("a row that is not as it has to be is named", "[claims]") {
   CHECK(complaint(R"(, "measured": "{a}", "open": "o")").empty());
-  CHECK_THAT(complaint(R"(, "measured": "{a}")"), Contains("row X1: needs either stated figures or 'open'"));
-  CHECK_THAT(complaint(R"(, "measured": "{a", "open": "o")"), Contains("a brace without its partner"));
-  CHECK_THAT(complaint(R"(, "measured": "{a} {a}", "open": "o")"), Contains("{a} comes twice"));
-  CHECK_THAT(complaint(R"(, "measured": "m", "open": "o", "held_by": "t")"), Contains("has no figure"));
-  CHECK_THAT(complaint(R"(, "measured": "{a}", "open": "o", "note": "n")"), Contains("'note' is unknown"));
+  CHECK_THAT(complaint(R"(, "measured": "{a}")"),
+             ContainsSubstring("row X1: needs either stated figures or 'open'"));
+  CHECK_THAT(complaint(R"(, "measured": "{a", "open": "o")"),
+             ContainsSubstring("a brace without its partner"));
+  CHECK_THAT(complaint(R"(, "measured": "{a} {a}", "open": "o")"), ContainsSubstring("{a} comes twice"));
+  CHECK_THAT(complaint(R"(, "measured": "m", "open": "o", "held_by": "t")"),
+             ContainsSubstring("has no figure"));
+  CHECK_THAT(complaint(R"(, "measured": "{a}", "open": "o", "note": "n")"),
+             ContainsSubstring("'note' is unknown"));
   CHECK_THAT(complaint(R"(, "measured": "{a}", "stated": [{"figure": "b", "is": "1"}])"),
-             Contains("{b} is not in its text"));
-  CHECK_THAT(complaint(R"(, "measured": "{a}", "stated": [{"figure": "a"}])"), Contains("needs one of is"));
+             ContainsSubstring("{b} is not in its text"));
+  CHECK_THAT(complaint(R"(, "measured": "{a}", "stated": [{"figure": "a"}])"),
+             ContainsSubstring("needs one of is"));
   CHECK_THAT(complaint(R"(, "measured": "{a}", "stated": [{"figure": "a", "is": "3.2"}])"),
-             Contains("does not state the value of a"));
+             ContainsSubstring("does not state the value of a"));
   CHECK_THAT(complaint(R"(, "measured": "{a}", "stated": [{"figure": "a", "is": "1,5"}])"),
-             Contains("'1,5' is no number"));
+             ContainsSubstring("'1,5' is no number"));
   CHECK_THAT(complaint(R"(, "measured": "{a}", "stated": [{"figure": "a", "of": 3}])"),
-             Contains("needs both of and largest_miss"));
-  CHECK_THAT(complaint(", \"measured\": "), Contains("parse error"));
+             ContainsSubstring("needs both of and largest_miss"));
+  CHECK_THAT(complaint(", \"measured\": "), ContainsSubstring("parse error"));
 }
 
 TEST_CASE("a text takes its figures by key", "[claims]") {

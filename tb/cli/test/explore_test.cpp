@@ -4,12 +4,11 @@
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
-#include "tb/catch.h"
+#include "tb/catch_text.h"
 #include "tb/cli/test/program.h"
 
 namespace {
 
-using Catch::Contains;
 using json = nlohmann::ordered_json;
 
 /// Rows of the first device in a folder: cost and one error on each domain.
@@ -49,7 +48,7 @@ TEST_CASE("explore answers from the rows that it was built with, at once", "[exp
   const scratch folder;
   const outcome table = run_blysk(folder, "explore");
   CHECK(table.status == 0);
-  CHECK_THAT(table.out, Contains("max_abs_err, lobe"));
+  CHECK_THAT(table.out, ContainsSubstring("max_abs_err, lobe"));
   const outcome all = run_blysk(folder, "explore --json");
   REQUIRE(all.status == 0);
   const json rows = json::parse(all.out);
@@ -81,14 +80,14 @@ TEST_CASE("explore finds what is cheapest within a tolerance", "[explore]") {
   const outcome text = run_blysk(folder, from + " --tolerance 5e-1 --target asic --clock 100MHz");
   CHECK(text.status == 0);
   CHECK_THAT(text.out,
-             Contains("cheapest   " + kDevice + " q12: max_abs_err 0.1, 3000 NAND2") &&
-                 Contains("scripts/synth " + kDevice + " q12 && build/bin/blysk explore --measure"));
+             ContainsSubstring("cheapest   " + kDevice + " q12: max_abs_err 0.1, 3000 NAND2") &&
+                 ContainsSubstring("scripts/synth " + kDevice + " q12 && build/bin/blysk explore --measure"));
   CHECK(run_blysk(folder, from + " --tolerance 0.5 --clock 41MHz --json").status ==
         1);  // q8 has a seed with 40
   const outcome none = run_blysk(folder, from + " --tolerance 0.01");
   CHECK(none.status == 1);
-  CHECK_THAT(none.out,
-             Contains("none: no measured configuration has max_abs_err <= 0.01") && Contains("nearest"));
+  CHECK_THAT(none.out, ContainsSubstring("none: no measured configuration has max_abs_err <= 0.01") &&
+                           ContainsSubstring("nearest"));
 }
 
 TEST_CASE("explore prints tables, CSV and a page", "[explore]") {
@@ -96,13 +95,15 @@ TEST_CASE("explore prints tables, CSV and a page", "[explore]") {
   write_row(folder, "q8", 1000, 4000, 0.5);
   const std::string from = "explore" + rows_in(folder);
   const outcome table = run_blysk(folder, from);
-  CHECK_THAT(table.out, Contains("0.5  1000") && Contains("stale"));
-  CHECK_THAT(table.err, Contains("blysk: 1 rows are stale"));
-  CHECK_THAT(run_blysk(folder, from + " --markdown").out, Contains("| " + kDevice + " q8 | 0.5 | 1000 |"));
+  CHECK_THAT(table.out, ContainsSubstring("0.5  1000") && ContainsSubstring("stale"));
+  CHECK_THAT(table.err, ContainsSubstring("blysk: 1 rows are stale"));
+  CHECK_THAT(run_blysk(folder, from + " --markdown").out,
+             ContainsSubstring("| " + kDevice + " q8 | 0.5 | 1000 |"));
   const std::string csv = run_blysk(folder, from + " --csv --domain sphere").out;
   CHECK(std::count(csv.begin(), csv.end(), '\n') == 2);
   CHECK(run_blysk(folder, from + " --html " + quoted(folder.path("page.html"))).status == 0);
-  CHECK_THAT(slurp(folder.path("page.html")), Contains("\"lut\":1000") && Contains("</html>"));
+  CHECK_THAT(slurp(folder.path("page.html")),
+             ContainsSubstring("\"lut\":1000") && ContainsSubstring("</html>"));
 }
 
 TEST_CASE("each command that explore prints is one that runs, up to its measurements", "[explore]") {
@@ -120,7 +121,7 @@ TEST_CASE("each command that explore prints is one that runs, up to its measurem
     // A word length that no device has stands where the measurement would begin.
     const outcome run = run_blysk(folder, command.substr(begin) + " --shard 0/1");
     CHECK(run.status == 2);
-    CHECK_THAT(run.err, Contains("--shard is 0/1, expected one of so many"));
+    CHECK_THAT(run.err, ContainsSubstring("--shard is 0/1, expected one of so many"));
     // What is listed of a device in its own form is what explore says of that form.
     if (!row["options"].empty()) continue;
     for (const json& device : listed["devices"]) {
@@ -165,7 +166,7 @@ TEST_CASE("explore refuses bad use and bad files in one line", "[explore]") {
     CHECK(failed.status == 2);
     CHECK(failed.out.empty());
     CHECK(failed.err.starts_with("blysk: "));
-    CHECK_THAT(failed.err, Contains(message));
+    CHECK_THAT(failed.err, ContainsSubstring(message));
     CHECK(std::count(failed.err.begin(), failed.err.end(), '\n') == 1);
   };
   for (const char* tolerance : {"0", "nan", "-1", "inf", "x", "''"})

@@ -8,7 +8,7 @@
 #include <set>
 #include <vector>
 
-#include "tb/catch.h"
+#include "tb/catch_text.h"
 #include "tb/cost/error_sums.h"
 #include "tb/cost/errors.h"
 #include "tb/golden/sphere.h"
@@ -369,14 +369,14 @@ TEST_CASE("a table of errors is read as it was written", "[cost]") {
   CHECK(json_of(parse_errors("file", stored)) == stored);
   nlohmann::ordered_json damaged = stored;
   damaged["lobe"].erase("bias");
-  CHECK_THROWS_WITH(parse_errors("file", damaged), Catch::Contains("file: is damaged"));
+  CHECK_THROWS_WITH(parse_errors("file", damaged), ContainsSubstring("file: is damaged"));
   damaged = stored;
   damaged["lobe"]["status"] = "guessed";
-  CHECK_THROWS_WITH(parse_errors("file", damaged), Catch::Contains("status is not exhaustive"));
+  CHECK_THROWS_WITH(parse_errors("file", damaged), ContainsSubstring("status is not exhaustive"));
   const auto refused = [&](const char* key, const nlohmann::ordered_json& value, const char* why) {
     nlohmann::ordered_json other = stored;
     other["whole"][key] = value;
-    CHECK_THROWS_WITH(parse_errors("file", other), Catch::Contains(why));
+    CHECK_THROWS_WITH(parse_errors("file", other), ContainsSubstring(why));
   };
   refused("points", -3, "points is no count");
   refused("points", 1, "ulps do not add up to points");

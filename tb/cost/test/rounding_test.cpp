@@ -7,7 +7,7 @@
 #include <limits>
 #include <vector>
 
-#include "tb/catch.h"
+#include "tb/catch_text.h"
 #include "tb/cost/errors.h"
 #include "tb/specular/parabola_formula.h"
 #include "tb/specular/specular.h"
@@ -136,6 +136,6 @@ TEST_CASE("a model that rounds in one way says which do in others", "[cost]") {
   for (const device* each : one_way) {
     const selection asked = choose(each->name(), "q8");
     CHECK_THROWS_WITH(cost::judge(asked, each->widths(asked), rounding::truncate),
-                      Catch::Contains("rounds in one way, expected --rounding nearest or one of "));
+                      ContainsSubstring("rounds in one way, expected --rounding nearest or one of "));
   }
 }

@@ -6,14 +6,13 @@
 #include <fstream>
 #include <set>
 
-#include "tb/catch.h"
+#include "tb/catch_text.h"
 #include "tb/cost/sweep.h"
 
 namespace {
 
 using namespace blysk;
 using namespace blysk::cost;
-using Catch::Contains;
 namespace fs = std::filesystem;
 
 const std::string kDevice = devices().front()->name();
@@ -64,12 +63,13 @@ TEST_CASE("ranges and shards are read or refused", "[cost]") {
   CHECK(parse_range("cos", "8..12").last == 12);
   for (const char* text : {"", "..", "8..", "..12", "12..8", "0..3", "8..65", "8.5", "-3", "8...12", "x"}) {
     CAPTURE(text);
-    CHECK_THROWS_WITH(parse_range("cos", text), Contains("--cos is ") && Contains("expected bits"));
+    CHECK_THROWS_WITH(parse_range("cos", text),
+                      ContainsSubstring("--cos is ") && ContainsSubstring("expected bits"));
   }
   CHECK(parse_shard("2/8").index == 2);
   for (const char* text : {"", "1", "0/4", "5/4", "1/0", "-1/4", "1/4/2", "a/b"}) {
     CAPTURE(text);
-    CHECK_THROWS_WITH(parse_shard(text), Contains("--shard is ") && Contains("1/4 .. 4/4"));
+    CHECK_THROWS_WITH(parse_shard(text), ContainsSubstring("--shard is ") && ContainsSubstring("1/4 .. 4/4"));
   }
 }
 
@@ -79,8 +79,8 @@ TEST_CASE("a sweep has every combination that the laws allow", "[cost]") {
   CHECK(points.size() == 5);  // 8, 9, 10 of cos 8; 9, 10 of cos 9
   CHECK(refused == 3);
   CHECK_THROWS_WITH(points_of({kDevice, {}, {{"nothing", {1, 2}}}}),
-                    Contains("has no word length nothing, expected"));
-  CHECK_THROWS_WITH(points_of({kDevice, {}, {{"cos", {8, 25}}}}), Contains("expected at most 24"));
+                    ContainsSubstring("has no word length nothing, expected"));
+  CHECK_THROWS_WITH(points_of({kDevice, {}, {{"cos", {8, 25}}}}), ContainsSubstring("expected at most 24"));
 }
 
 TEST_CASE("roundings are read or refused", "[cost]") {
@@ -90,7 +90,7 @@ TEST_CASE("roundings are read or refused", "[cost]") {
   CHECK(parse_roundings("jam,nearest") == std::vector{rounding::jam, rounding::nearest});
   for (const char* text : {"", "up", "nearest,", "nearest jam", "all,jam"}) {
     CAPTURE(text);
-    CHECK_THROWS_WITH(parse_roundings(text), Contains("does not exist, expected nearest, even"));
+    CHECK_THROWS_WITH(parse_roundings(text), ContainsSubstring("does not exist, expected nearest, even"));
   }
 }
 
@@ -131,10 +131,10 @@ TEST_CASE("a sweep has every rounding and every value of an option", "[cost]") {
   CHECK(rows[0]["format"].is_null());  // no format has four bits
   sweep twice = of;
   twice.roundings = {rounding::jam, rounding::jam};
-  CHECK_THROWS_WITH(twice.check(), Contains("--rounding has jam twice"));
+  CHECK_THROWS_WITH(twice.check(), ContainsSubstring("--rounding has jam twice"));
   twice = of;
   twice.options[option] = {values[0], values[0]};
-  CHECK_THROWS_WITH(twice.check(), Contains("twice, expected each once"));
+  CHECK_THROWS_WITH(twice.check(), ContainsSubstring("twice, expected each once"));
 }
 
 TEST_CASE("a row of a format's word lengths, rounded as built, names the format", "[cost]") {
@@ -161,15 +161,17 @@ TEST_CASE("a sweep goes on where it stopped", "[cost]") {
 
   // A row that was damaged, another sweep, a folder of something else.
   std::ofstream(to + "/" + name) << "{}";
-  CHECK_THROWS_WITH(run_sweep(small(), {to, {}, 1}, {}), Contains(name + ": is damaged"));
+  CHECK_THROWS_WITH(run_sweep(small(), {to, {}, 1}, {}), ContainsSubstring(name + ": is damaged"));
   sweep other = small();
   other.widths["cos"] = {4, 4};
-  CHECK_THROWS_WITH(run_sweep(other, {to, {}, 1}, {}), Contains("belongs to another sweep or shard"));
-  CHECK_THROWS_WITH(run_sweep(small(), {to, {1, 2}, 1}, {}), Contains("belongs to another sweep or shard"));
+  CHECK_THROWS_WITH(run_sweep(other, {to, {}, 1}, {}),
+                    ContainsSubstring("belongs to another sweep or shard"));
+  CHECK_THROWS_WITH(run_sweep(small(), {to, {1, 2}, 1}, {}),
+                    ContainsSubstring("belongs to another sweep or shard"));
   fs::create_directory(folder.path("taken"));
   std::ofstream(folder.path("taken") + "/notes") << "mine";
   CHECK_THROWS_WITH(run_sweep(small(), {folder.path("taken"), {}, 1}, {}),
-                    Contains("holds notes, expected an empty folder"));
+                    ContainsSubstring("holds notes, expected an empty folder"));
   CHECK(names_in(folder.path("taken")) == std::vector<std::string>{"notes"});
 }
 
@@ -179,7 +181,7 @@ TEST_CASE("two sweeps do not share a folder", "[cost]") {
   bool was_refused = false;
   run_sweep(small(), {to, {}, 1}, [&](double) {
     if (was_refused) return;
-    CHECK_THROWS_WITH(run_sweep(small(), {to, {}, 1}, {}), Contains("is in use by another run"));
+    CHECK_THROWS_WITH(run_sweep(small(), {to, {}, 1}, {}), ContainsSubstring("is in use by another run"));
     was_refused = true;
   });
   CHECK(was_refused);
@@ -194,9 +196,9 @@ TEST_CASE("shards come together as the whole sweep", "[cost]") {
     run_sweep(small(), {parts.back(), {i, 3}, 1}, {});
   }
   const std::string to = folder.path("whole");
-  CHECK_THROWS_WITH(merge_shards({parts[0], parts[2]}, to), Contains("shard 2/3 is missing"));
-  CHECK_THROWS_WITH(merge_shards({parts[0], parts[0]}, to), Contains("is shard 1/3 once more"));
-  CHECK_THROWS_WITH(merge_shards({folder.path("none")}, to), Contains("has no sweep.json"));
+  CHECK_THROWS_WITH(merge_shards({parts[0], parts[2]}, to), ContainsSubstring("shard 2/3 is missing"));
+  CHECK_THROWS_WITH(merge_shards({parts[0], parts[0]}, to), ContainsSubstring("is shard 1/3 once more"));
+  CHECK_THROWS_WITH(merge_shards({folder.path("none")}, to), ContainsSubstring("has no sweep.json"));
   CHECK(!fs::exists(to));
   CHECK(json_of(merge_shards(parts, to).second) == whole);
   // The whole is a sweep's folder like any other.
@@ -206,12 +208,13 @@ TEST_CASE("shards come together as the whole sweep", "[cost]") {
   const std::string kept = folder.path("kept");
   fs::rename(lost, kept);
   std::ofstream(lost) << "[]";
-  CHECK_THROWS_WITH(merge_shards(parts, folder.path("again")), Contains(name_of(1) + ": is damaged"));
+  CHECK_THROWS_WITH(merge_shards(parts, folder.path("again")),
+                    ContainsSubstring(name_of(1) + ": is damaged"));
   REQUIRE(fs::remove(lost));
-  CHECK_THROWS_WITH(merge_shards(parts, folder.path("again")), Contains("is in no shard"));
+  CHECK_THROWS_WITH(merge_shards(parts, folder.path("again")), ContainsSubstring("is in no shard"));
   sweep other = small();
   other.widths["cos"] = {4, 4};
   run_sweep(other, {folder.path("other"), {2, 3}, 1}, {});
   CHECK_THROWS_WITH(merge_shards({parts[0], folder.path("other"), parts[2]}, folder.path("again")),
-                    Contains("is of another sweep"));
+                    ContainsSubstring("is of another sweep"));
 }
