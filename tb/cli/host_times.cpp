@@ -188,8 +188,8 @@ int run(const options& asked) {
           rows.push_back(measured_row(*each, format, choice));
           continue;
         }
-        const auto kept =
-            std::find_if(stored.begin(), stored.end(), [key = key_of(*each, format, choice)](const json& row) {
+        const auto kept = std::find_if(
+            stored.begin(), stored.end(), [key = key_of(*each, format, choice)](const json& row) {
               return row.contains("device") && row["device"] == key["device"] &&
                      row["format"] == key["format"] && row["engine"] == key["engine"];
             });
