@@ -5,11 +5,12 @@
 //   digest: sha256:0281924ff18d8a08bff614d1347bbe8c3150e485deb4a1f313a385869b5d77b4
 //   error against c^n, every code of the cosine: at most 0.00283121 (n = 143, c = 0.99609375), bias -3.03979e-06; 257000 inputs, n in 1..1000, exhaustive
 //   error against c^n, pixels of a lit sphere, 512 x 512: at most 0.857831 (n = 1000, c = 0.9980511597743293), bias 0.00120978; 146779000 inputs, n in 1..1000, exhaustive
+//   certificate: that of power, whose BRDF it computes: BRDF within 0.0035 of what it computes in real numbers, proved by Gappa 1.4.1; at most 0.0028312142333930534 seen, 257000 inputs, exhaustive
 //   iCE40: 1622 LUT, 138 carry, 423 FF, 0 DSP, 0 RAM bits; Yosys 0.23 (git sha1 7ce5011c24b)
 //   iCE40 with DSP: 138 LUT, 40 carry, 423 FF, 8 DSP, 0 RAM bits; Yosys 0.23 (git sha1 7ce5011c24b)
 //   iCE40 HX8K: 72.33 MHz, the least of 5 seeds; nextpnr-ice40 -- Next Generation Place and Route (Version 0.4-1+b1), Yosys 0.23 (git sha1 7ce5011c24b)
 //   OSU018: 7537.3 NAND2, 6230 cells, longest path 6.008 ns; OpenSTA 2.0.17, Yosys 0.23 (git sha1 7ce5011c24b)
-//   not known with these options: certificate, settling
+//   not known with these options: settling
 `default_nettype none
 
 module blysk_power_pipelined_q8 (

@@ -5,12 +5,12 @@
 //   digest: sha256:6206d9888900b1cb2f3ffdc32d7d58b8dec148b2fdb8822172e60acc859a4de3
 //   error against c^n, every code of the cosine: at most 0.00283121 (n = 143, c = 0.99609375), bias -3.03979e-06; 257000 inputs, n in 1..1000, exhaustive
 //   error against c^n, pixels of a lit sphere, 512 x 512: at most 0.857831 (n = 1000, c = 0.9980511597743293), bias 0.00120978; 146779000 inputs, n in 1..1000, exhaustive
+//   certificate: BRDF within 0.0035 of what it computes in real numbers, proved by Gappa 1.4.1; at most 0.0028312142333930534 seen, 257000 inputs, exhaustive
 //   iCE40: 1585 LUT, 130 carry, 44 FF, 0 DSP, 0 RAM bits; Yosys 0.23 (git sha1 7ce5011c24b)
 //   iCE40 with DSP: 139 LUT, 40 carry, 44 FF, 8 DSP, 0 RAM bits; Yosys 0.23 (git sha1 7ce5011c24b)
 //   iCE40 HX8K: 14.95 MHz, the least of 5 seeds; nextpnr-ice40 -- Next Generation Place and Route (Version 0.4-1+b1), Yosys 0.23 (git sha1 7ce5011c24b)
 //   OSU018: 4635.2 NAND2, 4498 cells, longest path 21.937 ns; OpenSTA 2.0.17, Yosys 0.23 (git sha1 7ce5011c24b)
 //   settles: within 23.751 ns in OSU018 with its blocks apart, 23.24 ns seen in 20000 pairs of writes; OpenSTA 2.0.17, Yosys 0.23 (git sha1 7ce5011c24b)
-//   not known with these options: certificate
 `default_nettype none
 
 module blysk_power_q8 (
