@@ -82,7 +82,8 @@ void take(const json& row, const char* key, std::optional<Part>& part, Part (*re
 
 std::int64_t count_of(const json& of, const char* key) {
   const json& value = of.at(key);
-  if (!value.is_number_unsigned()) throw std::domain_error(fmt::format("{} is no count", key));
+  if (!value.is_number_integer() || value.get<std::int64_t>() < 0)
+    throw std::domain_error(fmt::format("{} is no count", key));
   return value;
 }
 
