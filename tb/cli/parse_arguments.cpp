@@ -28,11 +28,12 @@ void expect_values(int argc, char** argv) {
   }
 }
 
-/// What most options would take for not given.
+/// What most options would take for not given. An option that may stand without a value has an empty one then.
 void expect_no_empty_value(const CLI::App& program) {
   for (const CLI::Option* option : program.get_options()) {
     const auto& values = option->results();
-    if (option->nonpositional() && std::ranges::any_of(values, &std::string::empty))
+    if (option->nonpositional() && option->get_expected_min() > 0 &&
+        std::ranges::any_of(values, &std::string::empty))
       throw usage_error(fmt::format("{} is '', expected a value", option->get_name()));
   }
   for (const CLI::App* verb : program.get_subcommands()) expect_no_empty_value(*verb);

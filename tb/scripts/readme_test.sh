@@ -14,6 +14,11 @@ fail() { echo "$*" >&2 && exit 1; }
 
 # run COMMAND: succeeds and says something, on standard output or into a file.
 run() {
+  # A film takes a program that scripts/setup does not install.
+  if [[ $1 == *' --film '* ]] && ! command -v ffmpeg >/dev/null; then
+    echo "no ffmpeg, not run: $1"
+    return
+  fi
   echo "+ $1"
   bash -e -o pipefail -c "$1" >said 2>error || { cat said error >&2 && fail "failed: $1"; }
   [ -s said ] || fail "said nothing: $1"

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -135,9 +136,13 @@ TEST_CASE("every device refuses options that it does not have, and values that i
           "[cli]") {
   const scratch folder;
   std::map<std::string, std::string>
-      values;  // of each option's name; what the first device has is how a flag is told
+      values;                   // of each option's name; what the first device has is how a flag is told
+  std::set<std::string> flags;  // options that are one of some device: they may stand without a value
   for (const device* each : devices()) {
-    for (const option& own : each->options()) values.try_emplace(own.name, own.is_flag() ? "" : " 1");
+    for (const option& own : each->options()) {
+      values.try_emplace(own.name, own.is_flag() ? "" : " 1");
+      if (own.is_flag()) flags.insert(own.name);
+    }
   }
   for_devices(folder, [&](const victim& of) {
     const std::string good = victim::text(of.header(), of.good());
@@ -149,8 +154,11 @@ TEST_CASE("every device refuses options that it does not have, and values that i
                    fmt::format("--{}{}", name, value));
       } else if (!own->is_flag()) {
         of.refuses(folder, "nosuch", good, fmt::format("--{} nosuch", name));
-        of.refuses(folder, fmt::format("--{} is followed by --stimulus, expected a value", name), good,
-                   fmt::format("--{}", name));
+        of.refuses(
+            folder,
+            fmt::format("--{} is {}", name,
+                        flags.contains(name) ? "on, expected " : "followed by --stimulus, expected a value"),
+            good, fmt::format("--{}", name));
       }
     }
   });
