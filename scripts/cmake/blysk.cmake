@@ -14,8 +14,12 @@ target_compile_options(blysk_options INTERFACE
 if(NOT CMAKE_CXX_COMPILER_ID STREQUAL GNU OR BLYSK_SANITIZERS)
   set(CMAKE_DISABLE_PRECOMPILE_HEADERS ON)
 endif()
-# What tests call is in libraries with all optimisations; their own text takes a third less time to compile with these.
-set(blysk_test_options $<$<CONFIG:Release>:-O1>)
+# For text that a run passes once, as tests, command lines and pages: it takes a third less time to compile. What a run passes
+# often is in libraries, or in sources of blysk_optimise(), with all optimisations.
+set(blysk_once_options $<$<CONFIG:Release>:-O1>)
+function(blysk_optimise)
+  set_property(SOURCE ${ARGN} APPEND PROPERTY COMPILE_OPTIONS $<$<CONFIG:Release>:-O3>)
+endfunction()
 file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/generated/no_text.cpp CONTENT "// Made by CMake.\n")
 # blysk_headers(NAME LIBRARY... HEADERS header...): what targets with target_precompile_headers(REUSE_FROM NAME) share.
 function(blysk_headers name)
@@ -28,7 +32,7 @@ blysk_headers(blysk_program_headers fmt::fmt CLI11::CLI11 nlohmann_json::nlohman
               HEADERS <CLI/CLI.hpp> <fmt/format.h> <nlohmann/json.hpp>)
 if(BUILD_TESTING)
   blysk_headers(blysk_test_headers Catch2::Catch2 HEADERS ${PROJECT_SOURCE_DIR}/tb/catch.h)
-  target_compile_options(blysk_test_headers PRIVATE ${blysk_test_options})
+  target_compile_options(blysk_test_headers PRIVATE ${blysk_once_options})
 endif()
 
 # A compiler that looks at a source of the project, for tests of what must not compile.
@@ -76,7 +80,7 @@ function(blysk_add_test name)
   # Catch2 first: a static SystemC has a main of its own, for those who come without one.
   target_link_libraries(${name} PRIVATE blysk_options Catch2::Catch2WithMain ${arg_LIBRARIES})
   target_precompile_headers(${name} REUSE_FROM blysk_test_headers)
-  target_compile_options(${name} PRIVATE ${blysk_test_options})
+  target_compile_options(${name} PRIVATE ${blysk_once_options})
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests)
   set(text "")
   foreach(source IN LISTS arg_SOURCES)
@@ -105,10 +109,14 @@ function(blysk_add_test name)
   endforeach()
 endfunction()
 
-# blysk_add_program(NAME SOURCES a.cpp ... LIBRARIES lib ...): a program of the tests and pages, in tests/.
+# blysk_add_program(NAME SOURCES a.cpp ... LIBRARIES lib ... [OPTIMISED]): a program of the tests and pages, in tests/.
+# OPTIMISED: it has loops of its own over many inputs.
 function(blysk_add_program name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;LIBRARIES")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "OPTIMISED" "" "SOURCES;LIBRARIES")
   add_executable(${name} ${arg_SOURCES})
+  if(NOT arg_OPTIMISED)
+    target_compile_options(${name} PRIVATE ${blysk_once_options})
+  endif()
   target_link_libraries(${name} PRIVATE blysk_program ${arg_LIBRARIES} blysk_options)
   target_precompile_headers(${name} REUSE_FROM blysk_program_headers)
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests)

@@ -49,6 +49,12 @@ target_compile_options(blysk_verilator PRIVATE -w)
 target_include_directories(blysk_verilator SYSTEM PUBLIC ${VERILATOR_ROOT}/include ${VERILATOR_ROOT}/include/vltstd)
 target_link_libraries(blysk_verilator PUBLIC Threads::Threads)
 
+# Four hundred classes, and all read these; those that count what was reached know it by a macro.
+set(headers <verilated.h> <verilated_vcd_c.h> ${CMAKE_CURRENT_SOURCE_DIR}/verilated.h)
+blysk_headers(blysk_verilated_headers blysk_verilator HEADERS ${headers})
+blysk_headers(blysk_covered_headers blysk_verilator HEADERS <verilated_cov.h> ${headers})
+target_compile_definitions(blysk_covered_headers PRIVATE VM_COVERAGE=1)
+
 # blysk_verilated_options(DEVICE): sets verilated_options, the lines of the device's file `verilated`.
 function(blysk_verilated_options device)
   string(REPLACE - _ identifier ${device})

@@ -13,7 +13,7 @@ function(blysk_case_program program)
   set_property(GLOBAL APPEND PROPERTY blysk_test_programs ${program})
   target_link_libraries(${program} PRIVATE blysk_options Catch2::Catch2WithMain ${arg_LIBRARIES})
   target_precompile_headers(${program} REUSE_FROM blysk_test_headers)
-  target_compile_options(${program} PRIVATE ${blysk_test_options})
+  target_compile_options(${program} PRIVATE ${blysk_once_options})
   set_target_properties(${program} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests)
 endfunction()
 
