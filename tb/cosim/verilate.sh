@@ -19,11 +19,21 @@ fi
   "${@:5}" rtl/*.v
 LC_ALL=C # the order of the files
 rm -f ./"$class"*.h
-cat made/*.cpp >all.cpp
-# Of a large memory Verilator makes trees of conditions: g++ -O3 works at them five to ten times as long as -O1, and what it
-# makes is no faster. Small classes are a tenth to a fifth slower with -O1.
-if [ "$(wc -c <all.cpp)" -gt 1000000 ]; then
-  { printf '#pragma GCC push_options\n#pragma GCC optimize("O1")\n' && cat made/*.cpp && printf '#pragma GCC pop_options\n'; } >all.cpp
-fi
+# What runs once, when a class is made and settles for the first time, is as long as the rest: it is not optimised. Of a large
+# memory Verilator makes trees of conditions, on which -O3 and FRE take minutes and make nothing faster; small classes are a
+# tenth to a fifth slower with -O1.
+shopt -s extglob
+once=(made/*__@(Slow|Syms).cpp)
+often=(made/!(*__@(Slow|Syms)).cpp)
+levels=()
+if [ "$(cat "${often[@]}" | wc -c)" -gt 500000 ]; then levels=('"O1"' '"no-tree-fre"'); fi
+{
+  printf '#pragma GCC push_options\n'
+  if [ ${#levels[@]} -gt 0 ]; then (IFS=, && printf '#pragma GCC optimize(%s)\n' "${levels[*]}"); fi
+  cat "${often[@]}"
+  printf '#pragma GCC pop_options\n#pragma GCC push_options\n#pragma GCC optimize("O0")\n'
+  cat "${once[@]}"
+  printf '#pragma GCC pop_options\n'
+} >all.cpp
 mv made/*.h .
 rm -r made rtl

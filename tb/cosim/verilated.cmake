@@ -49,10 +49,16 @@ target_compile_options(blysk_verilator PRIVATE -w)
 target_include_directories(blysk_verilator SYSTEM PUBLIC ${VERILATOR_ROOT}/include ${VERILATOR_ROOT}/include/vltstd)
 target_link_libraries(blysk_verilator PUBLIC Threads::Threads)
 
+# g++ works at the long functions of a class up to ten times as long with these passes, and makes nothing faster. Their headers
+# have the same options: what #pragma GCC pop_options goes back to is what the precompiled header was made with.
+add_library(blysk_class INTERFACE)
+target_link_libraries(blysk_class INTERFACE blysk_verilator)
+target_compile_options(blysk_class INTERFACE
+  "$<$<CXX_COMPILER_ID:GNU>:-fno-thread-jumps;-fno-tree-pre;-Wno-uninitialized;-Wno-maybe-uninitialized>")
 # Four hundred classes, and all read these; those that count what was reached know it by a macro.
 set(headers <verilated.h> <verilated_vcd_c.h> ${CMAKE_CURRENT_SOURCE_DIR}/verilated.h)
-blysk_headers(blysk_verilated_headers blysk_verilator HEADERS ${headers})
-blysk_headers(blysk_covered_headers blysk_verilator HEADERS <verilated_cov.h> ${headers})
+blysk_headers(blysk_verilated_headers blysk_class HEADERS ${headers})
+blysk_headers(blysk_covered_headers blysk_class HEADERS <verilated_cov.h> ${headers})
 target_compile_definitions(blysk_covered_headers PRIVATE VM_COVERAGE=1)
 
 # blysk_verilated_options(DEVICE): sets verilated_options, the lines of the device's file `verilated`.
