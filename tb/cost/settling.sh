@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # settling.sh update|check BLYSK ROOT: docs/tables/settling.csv and the table of docs/delays.md are what `blysk settle` finds
-# for each file of delays, or become it.
+# for each file of delays, or become it. The column `device` has the options too, as on a command line.
 set -euo pipefail
 unset CDPATH
 mode=$1 blysk=$(readlink -f "$2") root=$(readlink -f "$3")
@@ -12,9 +12,11 @@ csv=$folder/settling.csv page=$root/docs/delays.md
 echo 'device,format,smallest_gap_ns,path_ns,bound_ns,one_delay_a_block_ns,pairs,signal,bit,got,expected' >"$csv"
 for file in "$root"/docs/tables/*/delays_q*.json; do
   device=$(sed -nE 's/^  "device": "(.*)",$/\1/p' "$file") format=$(sed -nE 's/^  "format": "(.*)",$/\1/p' "$file")
-  "$blysk" settle --device "$device" --format "$format" --delays "$file" --json >"$folder/found"
+  options=$(sed -nE '/^  "options": \{$/,/^  \}/s/^    "(.*)": "(.*)",?$/ --\1 \2/p' "$file" | sed 's/ on$//' | tr -d '\n')
+  # shellcheck disable=SC2086  # a word per option
+  "$blysk" settle --device "$device" --format "$format" $options --delays "$file" --json >"$folder/found"
   value() { sed -nE "s/^ *\"$1\": \"?([A-Za-z0-9_.-]+)\"?,?$/\1/p" "$folder/found"; }
-  printf '%s,%s' "$device" "$format" >>"$csv"
+  printf '%s,%s' "$device$options" "$format" >>"$csv"
   for key in smallest_gap_ns path_ns bound_ns one_delay_a_block_ns pairs_tried signal bit got expected; do
     printf ',%s' "$(value $key)" >>"$csv"
   done

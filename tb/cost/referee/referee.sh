@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# referee.sh ROOT SYNTHESIS REFEREE BLYSK DEVICE FORMAT WRITES [FAULT]: the engine timed beside the mapped netlist with its
-# cells' delays (SDF) in Icarus, on the same writes. Passes if, write by write, both give the same outputs, the engine's outputs
-# are busy for at least as long as the netlist's change, these never change after the bound, and no block of the netlist takes
-# longer from bit to bit than its delays say.
+# referee.sh ROOT SYNTHESIS REFEREE BLYSK DEVICE FORMAT WRITES [FAULT] [--OPTION [VALUE]]...: the engine timed beside the mapped
+# netlist with its cells' delays (SDF) in Icarus, on the same writes, the device with these options. Passes if, write by write,
+# both give the same outputs, the engine's outputs are busy for at least as long as the netlist's change, these never change after
+# the bound, and no block of the netlist takes longer from bit to bit than its delays say.
 # FAULT spoils one link of the chain, and the referee has to notice:
 #   halved BLOCK     the engine gets half of the block's delays
 #   sdf_error        the SDF file has a syntax error
@@ -12,7 +12,11 @@
 set -euo pipefail
 unset CDPATH
 root=$(readlink -f "$1") synthesis=$(readlink -f "$2") referee=$(readlink -f "$3") blysk=$(readlink -f "$4")
-device=$5 format=$6 writes=$7 fault=${8:-} block=${9:-}
+device=$5 format=$6 writes=$7 fault='' block=''
+shift 7
+if [ $# -gt 0 ] && [[ $1 != --* ]]; then fault=$1 && shift; fi
+if [ $# -gt 0 ] && [[ $1 != --* ]]; then block=$1 && shift; fi
+chosen=(--device "$device" --format "$format" "$@")
 here=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
 export LC_ALL=C BLYSK_CELLS=${BLYSK_CELLS:-$root/build/deps/osu018/osu018_stdcells.lib}
 # shellcheck source=tb/cost/icarus_sdf.sh
@@ -25,13 +29,13 @@ fail() { echo "$*"; exit 1; }
 
 # The delays, measured anew; of the same tools they are those that are checked in.
 BLYSK_SYNTHESIS=$synthesis BLYSK_ROWS=$folder/rows BLYSK_SYNTH_WORK=$folder/work \
-  "$root/scripts/synth" --delays "$device" "$format" >said 2>&1 || { cat said; exit 1; }
-place=$("$synthesis" path --kind delays --device "$device" --format "$format")
+  "$root/scripts/synth" --delays "$device" "$format" "$@" >said 2>&1 || { cat said; exit 1; }
+place=$("$synthesis" path --kind delays "${chosen[@]}")
 measured=$folder/rows/$place checked=$root/docs/tables/$place
 [ -f "$measured" ] || { cat said; exit 1; }
 tools() { sed -n '/"tools"/,/}/p' "$1"; }
 if [ -f "$checked" ] && [ "$(tools "$measured")" = "$(tools "$checked")" ]; then
-  cmp "$measured" "$checked" || fail "docs/tables/$place is stale: scripts/synth --delays $device $format measures it"
+  cmp "$measured" "$checked" || fail "docs/tables/$place is stale: scripts/synth --delays $device $format $* measures it"
 fi
 mapped=$folder/work/${place%.json}
 cp "$measured" delays.json
@@ -68,7 +72,7 @@ awk -v writes="$writes" -v bits="$bits" '
   }'
 
 # The engine.
-"$blysk" simulate --device "$device" --format "$format" --engine timed --delays delays.json --stimulus stimulus.csv \
+"$blysk" simulate "${chosen[@]}" --engine timed --delays delays.json --stimulus stimulus.csv \
   --results results.csv --settling settling.csv --json >summary.json || { cat summary.json; exit 1; }
 number() { sed -nE "s/^ *\"$1\": ([0-9.]+).*/\1/p" summary.json; }
 period=$(number period_ns)
