@@ -89,13 +89,26 @@ void csv_reader::read_header(std::string_view header) {
       continue;
     }
     if (find_columns(line)) return;
-    if (!is_found) throw error(fmt::format("header is '{}', expected {}", shown(text()), header));
+    if (!is_found) {
+      const std::string twice = repeated_name(line);
+      throw error(fmt::format("header is '{}'{}, expected {}", shown(text()),
+                              twice.empty() ? "" : fmt::format(" with column {} twice", twice), header));
+    }
     lines_.put_back();  // the first row below a header behind #
     return;
   }
   if (lines_.number() == 0)
     throw file_error(lines_.path(), 1, fmt::format("is empty, expected the header {}", header));
   if (!is_found) throw error(fmt::format("is no header, expected {}", header));
+}
+
+// The first of the wanted columns that a line separated by commas has more than once; empty if there is none.
+std::string csv_reader::repeated_name(std::string_view line) const {
+  std::vector<std::string_view> columns;
+  if (!split(line, ',', columns)) return "";
+  const auto found = std::ranges::find_if(
+      names_, [&](const std::string& name) { return std::ranges::count(columns, name) > 1; });
+  return found == names_.end() ? "" : *found;
 }
 
 // Takes the line as the header if it is one.

@@ -45,11 +45,16 @@ read_world read_scene(const std::string& name, int density) {
     throw file_error(name, 0, "is a directory, expected a file");
   const std::string ending = ending_of(name);
   if (ending == ".json") return read_scene_file(name, decoded(name, read_file(name)), density);
+  if (density > 0)
+    throw file_error(name, 0, "is a mesh from a file, expected --density with a built-in shape only");
   if (ending == ".obj") {
     const auto open = [&](const std::string& library) {
       std::string unix_name = library;
       std::ranges::replace(unix_name, '\\', '/');
       const std::string beside = (path.parent_path() / unix_name).string();
+      std::error_code unknown;
+      if (std::filesystem::exists(beside, unknown) && !std::filesystem::is_regular_file(beside, unknown))
+        throw file_error(beside, 0, "is no regular file, expected a library of materials");
       return library_text{beside, read_file(beside)};
     };
     read.of.surface = read_obj(name, decoded(name, read_file(name)), open, read.of.messages);

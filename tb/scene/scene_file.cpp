@@ -214,6 +214,8 @@ read_world read_scene_file(const std::string& path, const std::string& text, int
   if (find_shape(name) == nullptr) {
     name = (std::filesystem::path(path).parent_path() / name).string();
     if (name.ends_with(".json")) mesh_name->fail("is a scene, expected a mesh");
+    if (find("density") != nullptr)
+      find("density")->fail("is of a built-in shape, expected none beside a mesh from a file");
   }
   if (density == 0 && find("density") != nullptr)
     density = find("density")->integer(kLeastDensity, kMostDensity);

@@ -11,7 +11,10 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 fail() { echo "long_runs.sh: $*" >&2 && exit 1; }
 
-ctest --test-dir "$build" -N -L '^long$' | sed -nE 's/^ *Test +#[0-9]+: //p' | LC_ALL=C sort >"$work/tests"
+tests() { ctest --test-dir "$build" -N "$@" | sed -nE 's/^ *Test +#[0-9]+: //p' | LC_ALL=C sort; }
+tests -L '^formats$' >"$work/formats"
+others="label formats, $(wc -l <"$work/formats") tests"  # one row for all of them
+{ tests -L '^long$' -LE '^formats$' && echo "$others"; } >"$work/tests"
 rows() { sed -nE 's/^\| `([^`]+)` \|.*/\1/p' "$page"; }
 if [ "$check" = --check ]; then
   rows | diff "$work/tests" - || fail "$page is stale: the target update_long_runs writes it"
@@ -38,7 +41,8 @@ fi
 # Tests that take long
 
 Tests with the label `long` are not among those of `scripts/test`. These two commands run them all and write this page;
-`scripts/test --long -R REGEX` runs some of them, and the others keep their rows.
+`scripts/test --long -R REGEX` runs some of them, and the others keep their rows. Those with the label `formats` too repeat in
+a format between others what these have shown; the last row is theirs, and says how many passed of those that ran.
 
     scripts/test --long
     ninja -C build update_long_runs
@@ -48,7 +52,7 @@ Seconds are those of one run on two shared cores beside other work, to say what 
 | test | result | commit and its date | s |
 |---|---|---|---:|
 END
-  awk -F '\t' -v page="$page" -v commit="$commit" '
+  awk -F '\t' -v page="$page" -v commit="$commit" -v others="$others" '
     BEGIN {
       while ((getline line < page) > 0)
         if (match(line, /^\| `[^`]+` \|/)) {
@@ -62,10 +66,19 @@ END
       seconds[$1] = $3
       next
     }
+    FILENAME == ARGV[2] {
+      if (!($0 in result)) next
+      ran++
+      passed += result[$0] == "passed"
+      sum += seconds[$0]
+      result[others] = passed == ran ? "passed, " passed : "**" (ran - passed) " failed** of " ran
+      seconds[others] = sum
+      next
+    }
     {
       if ($0 in result) printf "| `%s` | %s | %s | %.0f |\n", $0, result[$0], commit, seconds[$0]
       else if ($0 in before) print before[$0]
       else printf "| `%s` | not run yet | - | - |\n", $0
-    }' "$work/run" "$work/tests"
+    }' "$work/run" "$work/formats" "$work/tests"
 } >"$work/page"
 cp "$work/page" "$page"

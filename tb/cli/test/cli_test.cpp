@@ -226,7 +226,7 @@ TEST_CASE("a table as other programs write it is read", "[cli]") {
 TEST_CASE("a table whose meaning is not clear is refused", "[cli]") {
   const scratch folder;
   const auto [text, message] = GENERATE(table<std::string, std::string>(
-      {{"n,cos,r,g,b,n\n", ":1: header is 'n,cos,r,g,b,n', expected n,cos,r,g,b"},
+      {{"n,cos,r,g,b,n\n", ":1: header is 'n,cos,r,g,b,n' with column n twice, expected n,cos,r,g,b"},
        {"# n,cos,r,g\n1,0,1,1\n", ":2: header is '1,0,1,1', expected n,cos,r,g,b"},
        {"# nothing\n", ":1: is no header, expected n,cos,r,g,b"},
        {"n,cos,r,g,b\n10.5,0.5,1,2,3\n", ":2: n is '10.5', expected an integer 1..1000"},

@@ -401,6 +401,11 @@ TEST_CASE("an OBJ file of one's own is one command", "[cli][render]") {
   REQUIRE(report["messages"].size() == 2);
   CHECK(report["messages"][0] ==
         "material 'red': illum absent, 2 taken since Ks > 0; Ns 35.999996 rounded to 36");
+  // A library is read to its end: not one that has none.
+  folder.write("zeros.obj", "mtllib ../../../../../../../../dev/zero\n" + kTriangle + "f 1 2 3\n");
+  const json plain = rendered(folder, in(folder, "zeros.obj") + " --size 40x30");
+  CHECK(std::string(plain["messages"][0]).find("is no regular file, expected a library of materials") !=
+        std::string::npos);
 }
 
 TEST_CASE("a scene file gives what the command line does not", "[cli][render]") {
@@ -566,6 +571,10 @@ TEST_CASE("a bad scene is one line that names file and line", "[cli][render]") {
   folder.write("a.mtl", "newmtl a\nNs nan\n");
   folder.write("b.obj", "mtllib a.mtl\n" + kTriangle + "usemtl a\nf 1 2 3\n");
   refuses(folder, in(folder, "b.obj"), "a.mtl:2: Ns is 'nan', expected a number");
+  folder.write("c.obj", kTriangle + "f 1 2 3\n");
+  refuses(folder, in(folder, "c.obj") + " --density 9",
+          "c.obj: is a mesh from a file, expected --density with a built-in shape only");
+  refuses_text("a.json", R"({"mesh": "c.obj", "density": 9})", ": density: is of a built-in shape");
 }
 
 TEST_CASE("two results do not go into one standard output", "[cli][render]") {

@@ -19,7 +19,8 @@ endfunction()
 
 # blysk_cases(AREA PROGRAM DEVICE FORMATS format... [QUICK format...] [LABEL label] SOURCES file...): each case of the sources as a test of
 # its own, "AREA.DEVICE.FORMAT: case". A case tagged [variants] is tried with each line of the device's file `variants`
-# besides. Tests take the label quick in the formats named so, without further options, and full elsewhere; LABEL comes on top.
+# besides. Tests take the label quick in the formats named so, without further options, full in the other checked-in ones, long and
+# formats elsewhere; LABEL comes on top.
 function(blysk_cases area program device)
   cmake_parse_arguments(PARSE_ARGV 3 arg "" "LABEL" "FORMATS;QUICK;SOURCES")
   string(REPLACE - _ identifier ${device})
@@ -53,9 +54,12 @@ endfunction()
 
 function(blysk_case name program pattern device format options quick label_besides)
   add_test(NAME "${name}" COMMAND ${program} "${pattern}")
-  set(label full)
   if(format IN_LIST quick)
     set(label quick)
+  elseif(format IN_LIST blysk_checked_formats)
+    set(label full)
+  else()
+    set(label long formats)
   endif()
   # A name that no case has is a success for Catch2 2.
   set_tests_properties("${name}" PROPERTIES LABELS "${label};${label_besides}" FAIL_REGULAR_EXPRESSION "No test"
