@@ -103,7 +103,7 @@ void csv_reader::read_header(std::string_view header) {
 }
 
 // The first of the wanted columns that a line separated by commas has more than once; empty if there is none.
-std::string csv_reader::repeated_name(std::string_view line) const {
+std::string csv_reader::repeated_name(std::string_view line) {
   std::vector<std::string_view> columns;
   if (!split(line, ',', columns)) return "";
   const auto found = std::ranges::find_if(

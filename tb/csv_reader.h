@@ -55,7 +55,7 @@ class csv_reader {
  private:
   void read_header(std::string_view header);
   bool find_columns(std::string_view line);
-  std::string repeated_name(std::string_view line) const;
+  std::string repeated_name(std::string_view line);
   bool next_row(bool may_wait);
   bool split(std::string_view line, char separator, std::vector<std::string_view>& fields);
 
