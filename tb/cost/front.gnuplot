@@ -27,7 +27,10 @@ points(which, cost) = "< awk -F, '" . row . ' { x = ' . cost . '; y = $at["' . m
   . 'if ($at["device"] == "' . which . '" && x > 0 && y > 0) print x "," y "," $at["format"] }' . "' '" . ARG1 . "'"
 front(cost) = "< awk -F, '" . row . ' { x = ' . cost . '; y = $at["' . metric . '"]; y = y < 0 ? -y : y; ' \
   . 'if (x > 0 && y > 0) print x "," y }' . "' '" . ARG1 . "' | sort -t, -g -k1,1 -k2,2 | awk -F, 'NR == 1 || $2 < best { best = $2; print }'"
-colour(i) = word("#1f77b4 #d95f02 #1b9e77 #7570b3 #e7298a #66a61e #a6761d #444444 #17becf #d62728 #bcbd22 #8c564b", 1 + (i - 1) % 12)
+# As many as there are devices with a cost, and some more.
+palette = "#1f77b4 #d95f02 #1b9e77 #7570b3 #e7298a #66a61e #a6761d #444444 #17becf #d62728 #bcbd22 #8c564b " \
+  . "#ffb000 #0000a8 #ff9da7 #006d2c #b8b8b8 #c77cff"
+colour(i) = word(palette, 1 + (i - 1) % words(palette))
 shape(format) = int(word("7 5 9 11 13 15 6 4 8", int((format[2:] - 8) / 2) + 1))
 
 label(panel) = panel == 1 ? 'iCE40: LUT' : panel == 2 ? 'OSU018: ns a result' : panel == 3 ? 'OSU018: area in NAND2' \
