@@ -10,7 +10,7 @@
 //   iCE40 with DSP: 1024 LUT, 507 carry, 44 FF, 5 DSP, 0 RAM bits; Yosys 0.23 (git sha1 7ce5011c24b)
 //   iCE40 HX8K: 8.85 MHz, the least of 5 seeds; nextpnr-ice40 -- Next Generation Place and Route (Version 0.4-1+b1), Yosys 0.23 (git sha1 7ce5011c24b)
 //   OSU018: 5837.8 NAND2, 5478 cells, longest path 36.013 ns; OpenSTA 2.0.17, Yosys 0.23 (git sha1 7ce5011c24b)
-//   not known with these options: settling
+//   settles: within 35.873 ns in OSU018 with its blocks apart, 35.339 ns seen in 20000 pairs of writes; OpenSTA 2.0.17, Yosys 0.23 (git sha1 7ce5011c24b)
 `default_nettype none
 
 module blysk_gx_q8 (

@@ -10,7 +10,7 @@
 //   iCE40 with DSP: 70 LUT, 24 carry, 44 FF, 6 DSP, 0 RAM bits; Yosys 0.23 (git sha1 7ce5011c24b)
 //   iCE40 HX8K: 19.46 MHz, the least of 5 seeds; nextpnr-ice40 -- Next Generation Place and Route (Version 0.4-1+b1), Yosys 0.23 (git sha1 7ce5011c24b)
 //   OSU018: 3470.9 NAND2, 3321 cells, longest path 16.167 ns; OpenSTA 2.0.17, Yosys 0.23 (git sha1 7ce5011c24b)
-//   not known with these options: settling
+//   settles: within 17.512 ns in OSU018 with its blocks apart, 17.358 ns seen in 20000 pairs of writes; OpenSTA 2.0.17, Yosys 0.23 (git sha1 7ce5011c24b)
 `default_nettype none
 
 module blysk_lyon_q8 (

@@ -10,7 +10,7 @@
 //   iCE40 with DSP: 600 LUT, 323 carry, 44 FF, 7 DSP, 40960 RAM bits; Yosys 0.23 (git sha1 7ce5011c24b)
 //   iCE40 HX8K: 10.69 MHz, the least of 5 seeds; nextpnr-ice40 -- Next Generation Place and Route (Version 0.4-1+b1), Yosys 0.23 (git sha1 7ce5011c24b)
 //   OSU018: 8698.5 NAND2, 8308 cells, longest path 27.84 ns; OpenSTA 2.0.17, Yosys 0.23 (git sha1 7ce5011c24b)
-//   not known with these options: settling
+//   settles: within 34.667 ns in OSU018 with its blocks apart, 34.313 ns seen in 20000 pairs of writes; OpenSTA 2.0.17, Yosys 0.23 (git sha1 7ce5011c24b)
 `default_nettype none
 
 module blysk_rational_q8 (

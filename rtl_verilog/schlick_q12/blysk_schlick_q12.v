@@ -6,7 +6,11 @@
 //   error against c^n, every code of the cosine: at most 0.203459 (n = 945, c = 0.997314453125), bias 0.0133564; 4097000 inputs, n in 1..1000, exhaustive
 //   error against c^n, pixels of a lit sphere, 512 x 512: at most 0.213901 (n = 995, c = 0.9976842579877792), bias 0.02348; 146779000 inputs, n in 1..1000, exhaustive
 //   certificate: BRDF within 0.000122071 of what it computes in real numbers, proved by Gappa 1.4.1; at most 0.0001220703125 seen, 4097000 inputs, exhaustive
-//   not known with these options: iCE40, iCE40 with DSP, iCE40 HX8K, OSU018, settling
+//   iCE40: 2216 LUT, 631 carry, 48 FF, 0 DSP, 0 RAM bits; Yosys 0.23 (git sha1 7ce5011c24b)
+//   iCE40 with DSP: 1149 LUT, 571 carry, 48 FF, 4 DSP, 0 RAM bits; Yosys 0.23 (git sha1 7ce5011c24b)
+//   iCE40 HX8K: 7.56 MHz, the least of 5 seeds; nextpnr-ice40 -- Next Generation Place and Route (Version 0.4-1+b1), Yosys 0.23 (git sha1 7ce5011c24b)
+//   OSU018: 6455.2 NAND2, 6062 cells, longest path 39.46 ns; OpenSTA 2.0.17, Yosys 0.23 (git sha1 7ce5011c24b)
+//   settles: within 38.859 ns in OSU018 with its blocks apart, 38.594 ns seen in 20000 pairs of writes; OpenSTA 2.0.17, Yosys 0.23 (git sha1 7ce5011c24b)
 `default_nettype none
 
 module blysk_schlick_q12 (

@@ -10,7 +10,7 @@
 //   iCE40 with DSP: 357 LUT, 48 carry, 44 FF, 7 DSP, 0 RAM bits; Yosys 0.23 (git sha1 7ce5011c24b)
 //   iCE40 HX8K: 17.49 MHz, the least of 5 seeds; nextpnr-ice40 -- Next Generation Place and Route (Version 0.4-1+b1), Yosys 0.23 (git sha1 7ce5011c24b)
 //   OSU018: 4075.4 NAND2, 3877 cells, longest path 18.065 ns; OpenSTA 2.0.17, Yosys 0.23 (git sha1 7ce5011c24b)
-//   not known with these options: settling
+//   settles: within 20.826 ns in OSU018 with its blocks apart, 20.804 ns seen in 20000 pairs of writes; OpenSTA 2.0.17, Yosys 0.23 (git sha1 7ce5011c24b)
 `default_nettype none
 
 module blysk_table_q8 (
