@@ -29,7 +29,8 @@
 #     covered, mutated   formats whose coverage is counted, whose mutants are tried: of the first 200 in a test
 #   tables.cmake   declares programs, targets and tests of tables that only this device has
 # Labels: quick takes seconds each, full less than a minute of processor time, long more; stability besides for hard cases.
-# Formats whose Verilog is not checked in, where they repeat what the others have shown, are `long` and `formats`.
+# What repeats for another format or device what a test without that label shows is `long` and `formats`: the formats whose
+# Verilog is not checked in, and mutants of other devices than the first one.
 
 # blysk_label(LABEL TEST...)
 function(blysk_label label)
@@ -293,7 +294,11 @@ function(blysk_device_tests device)
     endif()
     add_test(NAME cosim.${device}.mutation.${format}
              COMMAND ${name} ${device} ${format} ${CMAKE_CURRENT_BINARY_DIR}/${name} ${further} ${equivalence})
-    blysk_label(full cosim.${device}.mutation.${format})
+    if(device STREQUAL first)
+      blysk_label(full cosim.${device}.mutation.${format})
+    else()
+      blysk_label("long;formats" cosim.${device}.mutation.${format})
+    endif()
   endif()
   foreach(format IN LISTS mutated)
     set(name mutation_${identifier}_${format})

@@ -41,8 +41,8 @@ fi
 # Tests that take long
 
 Tests with the label `long` are not among those of `scripts/test`. These two commands run them all and write this page;
-`scripts/test --long -R REGEX` runs some of them, and the others keep their rows. Those with the label `formats` too repeat in
-a format between others what these have shown; the last row is theirs, and says how many passed of those that ran.
+`scripts/test --long -R REGEX` runs some of them, and the others keep their rows. Those with the label `formats` too repeat for
+another format or device what tests of `scripts/test` show; the last row is theirs, and says how many passed of those that ran.
 
     scripts/test --long
     ninja -C build update_long_runs

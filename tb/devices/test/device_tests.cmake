@@ -88,7 +88,13 @@ function(blysk_narrow_nets device)
     set(name unit.${device}.must_not_compile.${name})
     add_test(NAME ${name} COMMAND ${PROJECT_SOURCE_DIR}/tb/devices/test/narrow.sh ${assertion} ${change} ${blysk_compiler}
              WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
-    set_tests_properties(${name} PROPERTIES LABELS quick)
+    # Each is a run of the compiler, some seconds.
+    list(GET blysk_devices 0 first)
+    if(device STREQUAL first)
+      set_tests_properties(${name} PROPERTIES LABELS quick)
+    else()
+      set_tests_properties(${name} PROPERTIES LABELS "long;formats")
+    endif()
   endforeach()
 endfunction()
 
