@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 namespace blysk {
 namespace {
@@ -62,6 +63,8 @@ std::string without_doubled_quotes(std::string_view text) {
   return result;
 }
 
+constexpr std::array kSeparators{',', ';', '\t', ' '};
+
 /// Empty fields at the end, beyond `least`: what a comma at the end of a line leaves.
 void drop_empty_ends(std::vector<std::string_view>& fields, std::size_t least) {
   while (fields.size() > least && fields.back().empty()) fields.pop_back();
@@ -88,7 +91,9 @@ void csv_reader::read_header(std::string_view header) {
           find_columns(trim(line.substr(std::min(line.find_first_not_of('#'), line.size())))) || is_found;
       continue;
     }
-    if (find_columns(line)) return;
+    // A table of numbered rows, separated by tabs, begins with an empty name.
+    const std::string_view whole = text();
+    if (find_columns(whole.starts_with('\t') ? whole : line)) return;
     if (!is_found) {
       const std::string twice = repeated_name(line);
       throw error(fmt::format("header is '{}'{}, expected {}", shown(text()),
@@ -102,18 +107,21 @@ void csv_reader::read_header(std::string_view header) {
   if (!is_found) throw error(fmt::format("is no header, expected {}", header));
 }
 
-// The first of the wanted columns that a line separated by commas has more than once; empty if there is none.
+// The first of the wanted columns that a line has more than once, by any separator; empty if there is none.
 std::string csv_reader::repeated_name(std::string_view line) {
-  std::vector<std::string_view> columns;
-  if (!split(line, ',', columns)) return "";
-  const auto found = std::ranges::find_if(
-      names_, [&](const std::string& name) { return std::ranges::count(columns, name) > 1; });
-  return found == names_.end() ? "" : *found;
+  for (const char separator : kSeparators) {
+    std::vector<std::string_view> columns;
+    if (!split(line, separator, columns)) continue;
+    const auto found = std::ranges::find_if(
+        names_, [&](const std::string& name) { return std::ranges::count(columns, name) > 1; });
+    if (found != names_.end()) return *found;
+  }
+  return "";
 }
 
 // Takes the line as the header if it is one.
 bool csv_reader::find_columns(std::string_view line) {
-  for (const char separator : {',', ';', '\t', ' '}) {
+  for (const char separator : kSeparators) {
     std::vector<std::string_view> columns;
     if (!split(line, separator, columns)) continue;
     drop_empty_ends(columns, 0);

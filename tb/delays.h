@@ -50,6 +50,7 @@ struct device_delays {
   int bound_ps = 0;                            ///< the longest path from bit to bit through the blocks
   int blocks_bound_ps = 0;                     ///< the same if all bits of a block took as long as its worst
   std::vector<block_delays> blocks;
+  std::string file = {};  ///< where they were read, for messages
 
   int path_ps() const {
     int sum = 0;

@@ -431,7 +431,9 @@ void expect_different_files(const std::vector<std::string>& options, const std::
     std::error_code ignored;
     if (is_standard_output(path)) return "/dev/stdout";
     if (path == kStandardInput && fs::is_regular_file(path, ignored)) return path;
-    return path.empty() || is_special(path) ? fs::path() : fs::weakly_canonical(fs::absolute(path), ignored);
+    // The last link may lead to a file that is not there yet.
+    return path.empty() || is_special(path) ? fs::path()
+                                            : fs::weakly_canonical(fs::absolute(followed(path)), ignored);
   };
   for (std::size_t i = 0; i < paths.size(); ++i) {
     const fs::path place = leads_to(paths[i]);

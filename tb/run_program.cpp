@@ -64,16 +64,21 @@ void finish_standard_output() {
   }
 }
 
+}  // namespace
+
 void say(std::string_view name, std::string_view what) noexcept {
+  constexpr std::size_t kMost = 2000;
+  constexpr std::size_t kEnd = 500;
   try {
-    const std::string line = fmt::format("{}: {}\n", name, printable(what));
-    std::fputs(line.c_str(), stderr);
+    const std::string text = what.size() <= kMost
+                                 ? printable(what)
+                                 : fmt::format("{} [...] {}", printable(what.substr(0, kMost - kEnd)),
+                                               printable(what.substr(what.size() - kEnd)));
+    std::fputs(fmt::format("{}: {}\n", name, text).c_str(), stderr);
   } catch (const std::exception&) {  // no memory
     std::fputs("out of memory\n", stderr);
   }
 }
-
-}  // namespace
 
 int run_program(std::string_view name, const std::function<int()>& body) noexcept {
   hold_standard_files();

@@ -7,6 +7,10 @@
 
 namespace blysk {
 
+/// One line "NAME: WHAT" of printable UTF-8 on standard error. The middle of more than 2000 bytes is left out. A standard
+/// error that is full or closed changes nothing.
+void say(std::string_view name, std::string_view what) noexcept;
+
 /// Runs the body of a main function. What it throws becomes one line "NAME: what()" of printable UTF-8 on standard
 /// error and the exit status 2, and so does a standard output that cannot be written to its end. A standard error that
 /// is full or closed changes nothing of that.

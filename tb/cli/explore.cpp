@@ -87,6 +87,8 @@ std::map<std::string, std::string> names_of_all() {
   std::map<std::string, std::string> names;
   for (const device* each : devices()) {
     for (const option& own : each->options()) names.try_emplace(own.name, own.help);
+    if (!cost::is_judged(choose(each->name(), std::string(format_names[0]))))
+      continue;  // none can be measured
     for (const std::string& name : word_lengths_of(*each)) {
       std::string& help = names[name];
       if (help.find("bits, such as") == std::string::npos)
@@ -151,7 +153,10 @@ void print_table(const options& asked, const std::vector<cost::configuration>& r
   if (asked.json) {
     fmt::print("{}\n", json_rows(rows, domains_of(asked)).dump(2));
   } else if (asked.csv) {
-    fmt::print("{}", cost::csv_of(json_rows(rows, domains_of(asked))));
+    // A table without rows has its header.
+    const std::string text =
+        cost::csv_of(json_rows(rows.empty() ? cost::read_measured(asked.measured) : rows, domains_of(asked)));
+    fmt::print("{}", rows.empty() ? text.substr(0, text.find('\n') + 1) : text);
   } else if (asked.markdown) {
     fmt::print("{}", markdown_table(rows, by, where));
   } else if (asked.html.empty()) {
@@ -169,6 +174,10 @@ void print_table(const options& asked, const std::vector<cost::configuration>& r
           "blysk: {} rows are stale: the exported Verilog has changed since; scripts/synth measures them\n",
           stale);
   }
+  if (rows.empty())
+    fmt::print(stderr,
+               "blysk: no measured configuration is of this device, format and options; scripts/synth "
+               "measures them\n");
   if (!asked.html.empty()) {
     cost::write_text(asked.html, cost::html_page(json_rows(rows, domains_of(asked))));
     if (asked.html != "-") fmt::print("{}: {} configurations\n", printable(asked.html), rows.size());
@@ -359,31 +368,41 @@ std::string described(const List& list, Key key, What what) {
   return text;
 }
 
-bool is_flag_of_any(const std::string& name) {
+/// What the devices that have an option make of it.
+struct ownership {
+  bool has_flag = false;   ///< some device has it without a value
+  bool has_value = false;  ///< some device has it, or a word length of that name, with one
+};
+
+ownership owners_of(const std::string& name) {
+  ownership found{false, is_word_length(name)};
   for (const device* each : devices()) {
     for (const option& own : each->options()) {
-      if (own.name == name && own.is_flag()) return true;
+      if (own.name == name) (own.is_flag() ? found.has_flag : found.has_value) = true;
     }
   }
-  return false;
+  return found;
 }
 
 void add_options_of_devices(CLI::App& verb, const asked_options& asked) {
   for (const auto& [name, help] : names_of_all()) {
     const std::string key = name;
-    if (is_flag_of_any(key)) {
+    const ownership owners = owners_of(key);
+    if (!owners.has_value) {
       verb.add_flag_callback(
           "--" + key, [asked, key] { asked->named[key] = "on"; }, help);
-    } else {
-      verb.add_option_function<std::vector<std::string>>(
-              "--" + key,
-              [asked, key](const std::vector<std::string>& values) {
-                for (const std::string& value : values) take(*asked, key, value);
-              },
-              help)
-          ->take_all()
-          ->allow_extra_args(false);
+      continue;
     }
+    CLI::Option* const added = verb.add_option_function<std::vector<std::string>>(
+        "--" + key,
+        [asked, key, owners](const std::vector<std::string>& values) {
+          for (const std::string& value : values)
+            take(*asked, key, value.empty() && owners.has_flag ? "on" : value);
+        },
+        help);
+    added->take_all();
+    if (owners.has_flag) added->expected(0, 1);
+    added->allow_extra_args(false);
   }
 }
 
@@ -445,6 +464,8 @@ void run_merge(const options& asked) {
       throw usage_error(
           fmt::format("{} says nothing to merge, expected --json, --csv, --metric or --domain", name));
   }
+  cost::find_metric(asked.metric);
+  domain_of(asked);
   const auto [of, rows] = cost::merge_shards(asked.shards, asked.merged);
   print_sweep(asked, of, rows);
 }

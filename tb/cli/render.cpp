@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <charconv>
 #include <chrono>
 #include <cmath>
@@ -30,6 +29,7 @@
 #include "tb/read_number.h"
 #include "tb/render/render.h"
 #include "tb/render/report.h"
+#include "tb/run_program.h"
 #include "tb/scene/read_scene.h"
 #include "tb/scene/shapes.h"
 #include "tb/scene/turn.h"
@@ -286,19 +286,28 @@ bool takes_stdout(const options& asked) {
 
 /// A picture is PNG whatever its name, so the name of another form would lie.
 void expect_png(const std::string& path) {
-  std::string ending = std::filesystem::path(path).extension().string();
-  std::ranges::transform(ending, ending.begin(), [](char each) {
-    return static_cast<char>(std::tolower(static_cast<unsigned char>(each)));
-  });
+  const std::string ending = scene::ending_of(path);
   for (const std::string_view other : {".jpg", ".jpeg", ".ppm", ".pgm", ".pnm", ".bmp", ".gif", ".tif",
                                        ".tiff", ".tga", ".webp", ".exr", ".hdr", ".svg", ".pdf", ".eps"}) {
     if (ending == other) throw file_error(path, 0, "names another form of picture, expected .png");
   }
 }
 
+/// No result replaces a file that was read, nor another result.
+/// \param read  files of the scene
+void expect_apart(const options& asked, const std::vector<std::string>& read) {
+  const std::vector<std::string> options{"--output",    "--report",  "--vcd",
+                                         "--units-vcd", "--compare", "--film"};
+  const std::vector<std::string> results{asked.output,    asked.report,  asked.vcd,
+                                         asked.units_vcd, asked.compare, asked.film};
+  expect_different_files(options, results);
+  for (const std::string& each : read) {
+    for (std::size_t i = 0; i < results.size(); ++i)
+      expect_different_files({"SCENE", options[i]}, {each, results[i]});
+  }
+}
+
 void check(const options& asked) {
-  expect_different_files({"--output", "--report", "--vcd", "--units-vcd", "--compare", "--film"},
-                         {asked.output, asked.report, asked.vcd, asked.units_vcd, asked.compare, asked.film});
   if (asked.frames == 0) expect_png(asked.output);
   expect_png(asked.compare);
   if (asked.frames > 0 && !(asked.watch.empty() && asked.vcd.empty() && asked.compare.empty()))
@@ -342,20 +351,6 @@ std::optional<render::rectangle> watch_of(const options& asked, const render::jo
     throw usage_error(fmt::format("--watch is {}, expected pixels of a picture of {} x {}", asked.watch,
                                   job.width, job.height));
   return pixels;
-}
-
-/// What the scene file says where the command line says nothing.
-void take_presets(const CLI::App& verb, const std::map<std::string, std::string>& from, options& to) {
-  const std::map<std::string, std::string*> places{{"size", &to.size},
-                                                   {"shading", &to.shading},
-                                                   {"perspective", &to.perspective},
-                                                   {"engine", &to.engine},
-                                                   {"device", &to.device.device},
-                                                   {"format", &to.device.format},
-                                                   {"normalisation", &to.normalisation}};
-  for (const auto& [name, value] : from) {
-    if (verb.get_option("--" + name)->count() == 0) *places.at(name) = value;
-  }
 }
 
 void set_size(const options& asked, render::job& job) {
@@ -413,13 +408,50 @@ render::inner_colours inner_colours_of(const std::string& name) {
   throw usage_error(fmt::format("inner colours {} do not exist", printable(name)));
 }
 
+bool is_corrected(const std::string& perspective) {
+  if (perspective == "corrected") return true;
+  if (perspective == "screen") return false;
+  throw usage_error(fmt::format("perspective {} does not exist, expected corrected or screen", perspective));
+}
+
+/// A member of a scene file that gives an option: where it goes, and what refuses a value that no option has.
+struct preset {
+  const char* name;
+  std::string* place;
+  std::function<void()> check;
+};
+
+/// What the scene file says where the command line says nothing.
+/// \throws usage_error with the file and the member
+void take_presets(const CLI::App& verb, const std::map<std::string, std::string>& from, options& to) {
+  const std::vector<preset> presets{
+      {"size", &to.size,
+       [&] {
+         render::job unused{};
+         set_size(to, unused);
+       }},
+      {"shading", &to.shading, [&] { render::find_shading(to.shading); }},
+      {"perspective", &to.perspective, [&] { is_corrected(to.perspective); }},
+      {"engine", &to.engine, [&] { find_engine(to.engine); }},
+      {"device", &to.device.device, [&] { find_device(to.device.device); }},
+      {"format", &to.device.format, [&] { choose(devices().front()->name(), to.device.format); }},
+      {"normalisation", &to.normalisation, [&] { normalisation_of(to.normalisation); }}};
+  for (const preset& each : presets) {
+    const auto found = from.find(each.name);
+    if (found == from.end() || verb.get_option(std::string("--") + each.name)->count() > 0) continue;
+    *each.place = found->second;
+    try {
+      each.check();
+    } catch (const std::exception& error) {
+      throw file_error(to.scene, 0, fmt::format("{}: {}", each.name, error.what()));
+    }
+  }
+}
+
 /// What the command line says of a picture, its devices apart.
 void set_options(const options& asked, render::job& job) {
   set_size(asked, job);
-  if (asked.perspective != "corrected" && asked.perspective != "screen")
-    throw usage_error(
-        fmt::format("perspective {} does not exist, expected corrected or screen", asked.perspective));
-  job.is_corrected = asked.perspective == "corrected";
+  job.is_corrected = is_corrected(asked.perspective);
   job.asked = asked.effects == "all" ? render::effects::all : render::effects::automatic;
   job.checks_triangles = asked.inner_check == "on";
   job.threads = asked.threads;
@@ -474,9 +506,16 @@ render::outcome render_shown(render::job job, const std::string& what) {
 }
 
 /// A whole turn of the object, seen by a camera that stays, in the light that stays.
-void animate(const options& asked, scene::world& of, const render::job& job,
-             const std::function<render::circumstances()>& around) {
+/// \param read  files of the scene
+void animate(const options& asked, scene::world& of, const std::vector<std::string>& read,
+             const render::job& job, const std::function<render::circumstances()>& around) {
   animation made(asked.frames, asked.output, asked.film);
+  for (int frame = 0; frame < made.frames(); ++frame) {
+    expect_different_files({"--report", "--output"}, {asked.report, made.path(frame)});
+    expect_different_files({"--film", "--output"}, {asked.film, made.path(frame)});
+    for (const std::string& each : read)
+      expect_different_files({"SCENE", "--output"}, {each, made.path(frame)});
+  }
   std::optional<output_file> report;
   if (!asked.report.empty()) report.emplace(asked.report);
   if (!of.view) of.view = scene::fitted_camera(of.surface);
@@ -515,9 +554,9 @@ void run(const CLI::App& verb, options asked) {
   scene::read_world read = scene::read_scene(asked.scene, asked.density);
   take_presets(verb, read.options, asked);
   check(asked);
+  expect_apart(asked, read.files);
   apply(asked, read.of);
-  for (const std::string& each : read.of.messages)
-    fmt::print(stderr, "blysk: {}: {}\n", printable(asked.scene), printable(each));
+  for (const std::string& each : read.of.messages) say("blysk", fmt::format("{}: {}", asked.scene, each));
   const engine_choice choice = find_engine(asked.engine);
   const selection device = asked.device.choose(choice.serves);
   const render::normalisation energy = normalisation_of(asked.normalisation);
@@ -569,7 +608,7 @@ void run(const CLI::App& verb, options asked) {
     if (!makes_files(asked)) return;
   }
   if (asked.frames > 0) {
-    animate(asked, read.of, job, around);
+    animate(asked, read.of, read.files, job, around);
     return;
   }
   result_files files(asked);

@@ -17,6 +17,7 @@
 #include "tb/device_arguments.h"
 #include "tb/harness/settling_bench.h"
 #include "tb/progress.h"
+#include "tb/usage_error.h"
 
 namespace blysk::cli {
 namespace {
@@ -291,9 +292,13 @@ void run(const options& asked) {
   input_maker make(device, asked.seed);
   const finding found = search(bench, make, asked.pairs);
   const std::uint64_t gap = found.worst.settled.after;
-  if (gap == 0) throw std::runtime_error("no output changed in all the pairs that were tried");
+  if (gap == 0)
+    throw std::runtime_error(
+        fmt::format("no output changed in the {} pairs that were tried, expected more --pairs", found.all()));
   if (gap > static_cast<std::uint64_t>(delays.bound_ps))
-    throw std::logic_error(fmt::format("an output changed after {} ps, beyond the bound", gap));
+    throw file_error(delays.file, 0,
+                     fmt::format("bound_ps is {}, expected at least the {} ps after which an output changed",
+                                 delays.bound_ps, gap));
   const answer told{device, delays, make.data(), asked.seed, found, judge(bench, found.worst, device)};
   fmt::print("{}\n", asked.json ? json_of(told).dump(2) : text_of(told));
 }

@@ -114,7 +114,7 @@ void answer_reader::read_header() {
   const std::optional<vector_header> found = parse_header(lines_.text());
   if (!found) {
     // Any other comment may stand there; a header that was cut would hide missing answers.
-    if (lines_.text().starts_with(std::string(kBegin) + "--"))
+    if (lines_.text().starts_with(kBegin.substr(0, kBegin.size() - 1)))
       throw lines_.error("is no header, expected what blysk vectors wrote in its first line");
     return;
   }

@@ -170,6 +170,7 @@ device_delays read_delays(const std::string& file, const selection& asked, const
     text = read_text(file);
   }
   device_delays delays = parse_delays(path, text);
+  delays.file = path;
   if (delays.device != asked.of().name() || delays.format != asked.format() ||
       delays.options != given_options(asked)) {
     throw file_error(

@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <memory>
 #include <optional>
 #include <set>
 #include <stdexcept>
@@ -129,17 +130,16 @@ class locked_folder {
   int file_;
 };
 
-/// Makes the folder that of the sweep, or finds that it is.
-void claim(const fs::path& folder, const sweep& of, const shard& part) {
-  const fs::path path = folder / kDescription;
-  const json wanted = json_of(of, part);
-  if (fs::exists(path)) {
+/// \returns whether the folder is that of the sweep's part; false: it is empty
+/// \throws usage_error if it holds anything else
+bool belongs_to(const fs::path& folder, const sweep& of, const shard& part) {
+  if (fs::exists(folder / kDescription)) {
     const auto [there, its_part] = read_description(folder);
-    if (json_of(there, its_part) != wanted)
+    if (json_of(there, its_part) != json_of(of, part))
       throw file_error(
           folder.string(), 0,
           fmt::format("belongs to another sweep or shard, see {}; expected a new folder", kDescription));
-    return;
+    return true;
   }
   for (const auto& entry : fs::directory_iterator(folder)) {
     const std::string name = entry.path().filename().string();
@@ -147,7 +147,12 @@ void claim(const fs::path& folder, const sweep& of, const shard& part) {
       throw file_error(folder.string(), 0,
                        fmt::format("holds {}, expected an empty folder or that of the same sweep", name));
   }
-  write_text(path, stored_text(wanted));
+  return false;
+}
+
+/// Makes the folder that of the sweep, or finds that it is.
+void claim(const fs::path& folder, const sweep& of, const shard& part) {
+  if (!belongs_to(folder, of, part)) write_text(folder / kDescription, stored_text(json_of(of, part)));
 }
 
 /// The named format whose word lengths go with so many bits of the cosine.
@@ -359,8 +364,8 @@ std::vector<sweep_row> run_sweep(const sweep& of, const sweep_settings& settings
 std::pair<sweep, std::vector<sweep_row>> merge_shards(const std::vector<std::string>& folders,
                                                       const std::string& to) {
   std::optional<sweep> of;
-  std::map<std::string, std::string> texts;
   std::set<int> missing;
+  std::vector<std::unique_ptr<locked_folder>> locks;
   int count = 0;
   for (const std::string& folder : folders) {
     const auto [its, part] = read_description(folder);
@@ -375,24 +380,32 @@ std::pair<sweep, std::vector<sweep_row>> merge_shards(const std::vector<std::str
     if (missing.erase(part.index) == 0)
       throw file_error(folder, 0,
                        fmt::format("is shard {}/{} once more, expected each once", part.index, count));
-    for (const auto& entry : fs::directory_iterator(folder)) {
-      const std::string name = entry.path().filename().string();
-      if (!name.starts_with('.') && name != kDescription) texts[name] = read_text(entry.path());
-    }
+    locks.push_back(std::make_unique<locked_folder>(folder));
   }
   if (!of) throw usage_error("merge has no folders, expected those of all shards");
   if (!missing.empty())
     throw usage_error(
         fmt::format("shard {}/{} is missing, expected the folders of all shards", *missing.begin(), count));
+  if (fs::exists(to)) {
+    for (const std::string& folder : folders) {
+      if (fs::equivalent(folder, to))
+        throw file_error(to, 0, "is one of the shards, expected another folder for the whole");
+    }
+    locks.push_back(std::make_unique<locked_folder>(to));
+    belongs_to(to, *of, {});
+  }
   std::vector<sweep_row> rows;
+  std::map<std::string, std::string> texts{{kDescription, stored_text(json_of(*of, {}))}};
   for (const sweep_point& point : points_of(*of).first) {
     const std::string name = file_of(*of, point);
-    const auto found = texts.find(name);
-    if (found == texts.end())
+    const auto shard_of = std::ranges::find_if(
+        folders, [&](const std::string& folder) { return fs::exists(fs::path(folder) / name); });
+    if (shard_of == folders.end())
       throw usage_error(fmt::format("row {} is in no shard, expected shards that came to their ends", name));
-    rows.push_back({point, parse_row(name, found->second, point)});
+    const fs::path place = fs::path(*shard_of) / name;
+    texts[name] = read_text(place);
+    rows.push_back({point, parse_row(place.string(), texts[name], point)});
   }
-  texts[kDescription] = stored_text(json_of(*of, {}));
   write_directory(to, texts);
   return {*of, rows};
 }

@@ -9,6 +9,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "tb/usage_error.h"
+
 namespace blysk::harness {
 
 using netlist::any_wire;
@@ -193,12 +195,13 @@ void delay_lines::end_of_elaboration() {
     if (!has_inputs) continue;  // a constant
     const auto found = std::ranges::find(delays_->blocks, path, &block_delays::block);
     if (found == delays_->blocks.end())
-      throw std::invalid_argument(fmt::format("the delays have no block {}, expected one", path));
+      throw file_error(delays_->file, 0, fmt::format("has no block {}, expected its delays", path));
     const auto wire_of = [&](const timed_pin& pin) {
       const auto wire = wires.find(pin.name);
       if (wire == wires.end() || part.described(pin.name).bits.width != pin.width)
-        throw std::invalid_argument(fmt::format("the delays have {}.{} of {} bits, and the device has not",
-                                                path, pin.name, pin.width));
+        throw file_error(delays_->file, 0,
+                         fmt::format("has {}.{} of {} bits, expected a pin of device {}", path, pin.name,
+                                     pin.width, delays_->device));
       return wire->second;
     };
     std::vector<input> inputs;

@@ -390,7 +390,21 @@ class frame {
 
 }  // namespace
 
+namespace {
+
+void check(const job& asked) {
+  if (asked.of->lights.size() > kMostLights)
+    throw std::invalid_argument("the scene has more than 64 lights, expected at most as many");
+  if (asked.by_segments && (asked.watch || !asked.shading->is_by_pixel))
+    throw std::invalid_argument("segments are of pixels, expected shading phong and none watched");
+  if (asked.spans != nullptr && asked.shading->name != "gouraud")
+    throw std::invalid_argument("lines are drawn between colours of corners, expected shading gouraud");
+}
+
+}  // namespace
+
 plan plan_of(const job& asked) {
+  check(asked);
   const selection& device = asked.device->device;
   const device_ports ports(device);
   if (asked.units != nullptr) expect_fitting(*asked.units, device);
@@ -430,12 +444,6 @@ plan plan_of(const job& asked) {
 }
 
 outcome render(const job& asked) {
-  if (asked.of->lights.size() > kMostLights)
-    throw std::invalid_argument("the scene has more than 64 lights, expected at most as many");
-  if (asked.by_segments && (asked.watch || !asked.shading->is_by_pixel))
-    throw std::invalid_argument("segments are of pixels, expected shading phong and none watched");
-  if (asked.spans != nullptr && asked.shading->name != "gouraud")
-    throw std::invalid_argument("lines are drawn between colours of corners, expected shading gouraud");
   return frame(asked).run();
 }
 

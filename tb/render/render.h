@@ -84,6 +84,7 @@ struct outcome {
 };
 
 /// The plan alone.
+/// \throws std::invalid_argument as render() does
 plan plan_of(const job& asked);
 
 /// \throws std::invalid_argument for a device that does not shade points or does not fit the effect units or an energy factor, and

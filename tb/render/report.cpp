@@ -45,13 +45,15 @@ distance distance_of(const picture& reference, const picture& image) {
     found.largest = std::max(found.largest, largest);
   }
   if (difference > 0) {
-    found.nmse = difference / energy;
+    found.nmse = energy > 0 ? std::optional(difference / energy) : std::nullopt;
     found.psnr_db = 10 * std::log10(255.0 * 255.0 * static_cast<double>(reference.rgb.size()) / difference);
   }
   return found;
 }
 
-std::string_view verdict(double nmse) {
+std::string_view verdict(std::optional<double> measured) {
+  if (!measured) return "undefined, the reference is black";
+  const double nmse = *measured;
   if (nmse <= 1e-4) return "no visible difference";
   if (nmse <= 2.5e-4) return "slight difference";
   if (nmse <= 1e-3) return "visible difference";
@@ -60,49 +62,50 @@ std::string_view verdict(double nmse) {
 
 std::string report_json(const job& asked, const outcome& of, const circumstances& in) {
   const distance off = distance_of(of.reference, of.image);
-  nlohmann::ordered_json report{{"scene", in.scene},
-                                {"device", in.device.of().name()},
-                                {"format", in.device.format()},
-                                {"options", in.device.values()},
-                                {"engine", in.engine},
-                                {"effects", asked.asked == effects::all ? "all" : "auto"},
-                                {"shading", in.shading},
-                                {"perspective", in.is_corrected ? "corrected" : "screen"},
-                                {"normalisation", find(asked.energy).name},
-                                {"width", asked.width},
-                                {"height", asked.height},
-                                {"lights", asked.of->lights.size()},
-                                {"triangles", asked.of->surface.triangles.size()},
-                                {"triangles_visible", of.triangles_visible},
-                                {"triangles_in_highlight", of.triangles_in_highlight},
-                                {"triangles_left_out", of.triangles_left_out},
-                                {"pixels", of.pixels},
-                                {"pixels_in_highlight", of.pixels_in_highlight},
-                                {"points", of.points},
-                                {"tests_left_out", of.tests_left_out},
-                                {"device_writes", of.device_writes},
-                                {"watched_writes", of.watched_writes},
-                                {"units", of.planned.units},
-                                {"units_engine", asked.units != nullptr ? asked.units->name : "bit"},
-                                {"spans_engine", asked.spans != nullptr ? asked.spans->name : "host"},
-                                {"span_lines", of.span_lines},
-                                {"unit_rows", of.unit_rows},
-                                {"unit_cycles", in.unit_cycles},
-                                {"plan", of.planned.reasons},
-                                {"blocks", in.blocks},
-                                {"simulated_ns", in.simulated_ns},
-                                {"cycles", in.cycles},
-                                {"delta_cycles", in.delta_cycles},
-                                {"process_runs", in.process_runs.value_or(0)},
-                                {"nmse", off.nmse},
-                                {"verdict", verdict(off.nmse)},
-                                {"psnr_db", nullptr},
-                                {"pixels_off", off.pixels_off},
-                                {"largest_difference", off.largest},
-                                {"threads", in.threads},
-                                {"host_s", of.host_s},
-                                {"frames_per_second", 1 / frame_s(of)},
-                                {"messages", in.messages}};
+  nlohmann::ordered_json report{
+      {"scene", in.scene},
+      {"device", in.device.of().name()},
+      {"format", in.device.format()},
+      {"options", in.device.values()},
+      {"engine", in.engine},
+      {"effects", asked.asked == effects::all ? "all" : "auto"},
+      {"shading", in.shading},
+      {"perspective", in.is_corrected ? "corrected" : "screen"},
+      {"normalisation", find(asked.energy).name},
+      {"width", asked.width},
+      {"height", asked.height},
+      {"lights", asked.of->lights.size()},
+      {"triangles", asked.of->surface.triangles.size()},
+      {"triangles_visible", of.triangles_visible},
+      {"triangles_in_highlight", of.triangles_in_highlight},
+      {"triangles_left_out", of.triangles_left_out},
+      {"pixels", of.pixels},
+      {"pixels_in_highlight", of.pixels_in_highlight},
+      {"points", of.points},
+      {"tests_left_out", of.tests_left_out},
+      {"device_writes", of.device_writes},
+      {"watched_writes", of.watched_writes},
+      {"units", of.planned.units},
+      {"units_engine", asked.units != nullptr ? asked.units->name : "bit"},
+      {"spans_engine", asked.spans != nullptr ? asked.spans->name : "host"},
+      {"span_lines", of.span_lines},
+      {"unit_rows", of.unit_rows},
+      {"unit_cycles", in.unit_cycles},
+      {"plan", of.planned.reasons},
+      {"blocks", in.blocks},
+      {"simulated_ns", in.simulated_ns},
+      {"cycles", in.cycles},
+      {"delta_cycles", in.delta_cycles},
+      {"process_runs", in.process_runs.value_or(0)},
+      {"nmse", off.nmse ? nlohmann::ordered_json(*off.nmse) : nlohmann::ordered_json(nullptr)},
+      {"verdict", verdict(off.nmse)},
+      {"psnr_db", nullptr},
+      {"pixels_off", off.pixels_off},
+      {"largest_difference", off.largest},
+      {"threads", in.threads},
+      {"host_s", of.host_s},
+      {"frames_per_second", 1 / frame_s(of)},
+      {"messages", in.messages}};
   if (off.psnr_db) report["psnr_db"] = *off.psnr_db;
   if (of.by_segments) {
     report["segments"] = {{"pixels_traced", of.by_segments->traced},
@@ -124,7 +127,9 @@ picture comparison(const outcome& of, const circumstances& in) {
   write_text(sheet, 4, 2, "Blinn, double");
   write_text(sheet, width + 4, 2,
              fmt::format("{} {}, {}", in.device.of().name(), in.device.format(), in.engine));
-  write_text(sheet, 2 * width + 4, 2, fmt::format("{} x difference, NMSE {:.1e}", kGain, off.nmse));
+  write_text(
+      sheet, 2 * width + 4, 2,
+      fmt::format("{} x difference, NMSE {}", kGain, off.nmse ? fmt::format("{:.1e}", *off.nmse) : "-"));
   return sheet;
 }
 
@@ -168,9 +173,10 @@ std::string report_table(const job& asked, const outcome& of, const circumstance
                     in.process_runs ? fmt::format(", {} runs of processes", *in.process_runs) : ""));
   }
   row("against Blinn's model",
-      fmt::format("NMSE {:.2e} ({}), {}, {} pixels off by 3/255 or more, largest {}", off.nmse,
-                  verdict(off.nmse), off.psnr_db ? fmt::format("PSNR {:.1f} dB", *off.psnr_db) : "equal",
-                  off.pixels_off, off.largest));
+      fmt::format("NMSE {} ({}), {}, {} pixels off by 3/255 or more, largest {}",
+                  off.nmse ? fmt::format("{:.2e}", *off.nmse) : "-", verdict(off.nmse),
+                  off.psnr_db ? fmt::format("PSNR {:.1f} dB", *off.psnr_db) : "equal", off.pixels_off,
+                  off.largest));
   std::string times;
   for (const auto& [phase, seconds] : of.host_s)
     times += fmt::format("{}{} {:.1f} ms", times.empty() ? "" : ", ", phase, 1e3 * seconds);

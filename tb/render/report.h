@@ -12,7 +12,7 @@ namespace blysk::render {
 
 /// How far a picture is from another, over the 8-bit channels of all pixels.
 struct distance {
-  double nmse;                    ///< [T] (3.1); 0 for equal black pictures
+  std::optional<double> nmse;     ///< [T] (3.1); 0 for equal pictures, none if the reference alone is black
   std::optional<double> psnr_db;  ///< none for equal pictures
   std::size_t pixels_off;         ///< that differ by 3 or more in a channel
   int largest;                    ///< difference of a channel
@@ -20,7 +20,7 @@ struct distance {
 distance distance_of(const picture& reference, const picture& image);
 
 /// What [T] 3.4 says of an NMSE: "no visible difference" up to 1e-4, and so on.
-std::string_view verdict(double nmse);
+std::string_view verdict(std::optional<double> nmse);
 
 /// What only the caller knows.
 struct circumstances {

@@ -22,6 +22,9 @@
 
 #include "tb/scene/material.h"
 #include "tb/scene/mesh_builder.h"
+#include "tb/scene/ply_length.h"
+#include "tb/scene/read_scene.h"
+#include "tb/scene/text_lines.h"
 #include "tb/usage_error.h"
 
 namespace blysk::scene {
@@ -103,6 +106,44 @@ std::optional<rgb> colour_of(const aiMaterial& from, const char* key, unsigned t
   return rgb{colour.r, colour.g, colour.b};
 }
 
+/// Files of these formats name a way to shade; what has a highlight is the model with specular light.
+void take_shading(const aiMaterial& from, raw_material& to) {
+  int model = 0;
+  if (from.Get(AI_MATKEY_SHADING_MODEL, model) != aiReturn_SUCCESS) {
+    to.illum = to.ks && *to.ks != rgb{0, 0, 0} ? 2 : 1;
+    return;
+  }
+  const bool has_highlight = to.ks && *to.ks != rgb{0, 0, 0};
+  if (model == aiShadingMode_NoShading) {
+    to.illum = 0;
+    to.notes.emplace_back("without shading, its diffuse colour is taken as it is");
+  } else if (model == aiShadingMode_Flat || model == aiShadingMode_Gouraud) {
+    to.illum = 1;
+    if (has_highlight) to.notes.emplace_back("matte by its shading, Ks dropped");
+  } else {
+    to.illum = has_highlight ? 2 : 1;
+  }
+}
+
+/// Ks times how strong the highlight is said to be.
+void take_strength(const aiMaterial& from, raw_material& to) {
+  float strength = 1;
+  if (!to.ks || from.Get(AI_MATKEY_SHININESS_STRENGTH, strength) != aiReturn_SUCCESS || strength == 1) return;
+  for (double& each : *to.ks) each *= strength;
+  to.notes.push_back(fmt::format("Ks times its strength {:.4g}", strength));
+}
+
+void note_textures(const aiMaterial& from, raw_material& to) {
+  unsigned count = 0;
+  for (int each = aiTextureType_NONE + 1; each <= AI_TEXTURE_TYPE_MAX; ++each)
+    count += from.GetTextureCount(static_cast<aiTextureType>(each));
+  if (count > 0) to.notes.emplace_back("textures dropped");
+  float number = 0;
+  if (from.Get(AI_MATKEY_METALLIC_FACTOR, number) == aiReturn_SUCCESS ||
+      from.Get(AI_MATKEY_ROUGHNESS_FACTOR, number) == aiReturn_SUCCESS)
+    to.notes.emplace_back("metallic and roughness factors dropped");
+}
+
 raw_material material_of(const aiMaterial& from) {
   raw_material raw;
   raw.name = from.GetName().C_Str();
@@ -114,13 +155,15 @@ raw_material material_of(const aiMaterial& from) {
   if (from.Get(AI_MATKEY_SHININESS, number) == aiReturn_SUCCESS) raw.n = number;
   if (from.Get(AI_MATKEY_OPACITY, number) == aiReturn_SUCCESS && number != 1)
     raw.notes.push_back(fmt::format("opacity {} dropped, surfaces are opaque", number));
-  if (from.GetTextureCount(aiTextureType_DIFFUSE) > 0) raw.notes.emplace_back("textures dropped");
+  note_textures(from, raw);
   // Lists of numbers, so that a NaN is found here.
   for (auto* each : {&raw.ka, &raw.kd, &raw.ks, &raw.ke}) {
     if (*each && (std::isnan((**each)[0]) || std::isnan((**each)[1]) || std::isnan((**each)[2])))
       throw usage_error("a material's colour is NaN, expected a number");
   }
   if (raw.n && std::isnan(*raw.n)) throw usage_error("a material's exponent is NaN, expected a number");
+  take_strength(from, raw);
+  take_shading(from, raw);
   return raw;
 }
 
@@ -134,10 +177,17 @@ vec checked(const aiVector3D& from) {
   return at;
 }
 
-void append(const aiMesh& from, std::size_t materials, mesh_builder& to) {
+/// What a mesh has that is not drawn, counted.
+struct undrawn {
+  std::size_t coloured = 0;  ///< vertices with a colour of their own
+  std::size_t narrow = 0;    ///< points and lines: faces of fewer than three corners
+};
+
+void append(const aiMesh& from, std::size_t materials, mesh_builder& to, undrawn& left) {
   const auto first = static_cast<std::uint32_t>(to.positions.size());
   const auto first_normal = static_cast<std::uint32_t>(to.normals.size());
   const bool has_normals = from.HasNormals();
+  if (from.HasVertexColors(0)) left.coloured += from.mNumVertices;
   for (unsigned i = 0; i < from.mNumVertices; ++i) {
     to.positions.push_back(checked(from.mVertices[i]));
     if (!has_normals) continue;
@@ -157,8 +207,22 @@ void append(const aiMesh& from, std::size_t materials, mesh_builder& to) {
             fmt::format("vertex {} does not exist, expected less than {}", index, from.mNumVertices));
       corners.push_back({first + index, has_normals ? first_normal + index : mesh_builder::kNoNormal});
     }
-    if (corners.size() >= 3) to.add(corners, from.mMaterialIndex, mesh_builder::kUnsaid);
+    if (corners.size() >= 3)
+      to.add(corners, from.mMaterialIndex, mesh_builder::kUnsaid);
+    else
+      ++left.narrow;
   }
+}
+
+/// What the library gives to a file without a material: a name of its own or none, no exponent, and for PLY one grey for
+/// diffuse and specular light.
+bool is_missing(const aiMaterial& of) {
+  float exponent = 0;
+  if (of.Get(AI_MATKEY_SHININESS, exponent) == aiReturn_SUCCESS) return false;
+  const std::string_view name = of.GetName().C_Str();
+  const auto kd = colour_of(of, AI_MATKEY_COLOR_DIFFUSE);
+  return name == AI_DEFAULT_MATERIAL_NAME ||
+         (name.empty() && kd && kd == colour_of(of, AI_MATKEY_COLOR_SPECULAR));
 }
 
 mesh import(const std::string& path, std::vector<std::string>& messages) {
@@ -169,10 +233,20 @@ mesh import(const std::string& path, std::vector<std::string>& messages) {
     throw usage_error(fmt::format("cannot be read ({}), expected a mesh that the library assimp reads",
                                   importer.GetErrorString()));
   mesh_builder built;
-  for (unsigned i = 0; i < read->mNumMaterials; ++i)
-    built.materials.push_back(make_legal(material_of(*read->mMaterials[i]), messages));
-  for (unsigned i = 0; i < read->mNumMeshes; ++i) append(*read->mMeshes[i], read->mNumMaterials, built);
+  for (unsigned i = 0; i < read->mNumMaterials; ++i) {
+    if (is_missing(*read->mMaterials[i])) {
+      messages.emplace_back("no material in the file, a plain one taken");
+      built.materials.push_back(plain_material());
+    } else {
+      built.materials.push_back(make_legal(material_of(*read->mMaterials[i]), messages));
+    }
+  }
+  undrawn left;
+  for (unsigned i = 0; i < read->mNumMeshes; ++i) append(*read->mMeshes[i], read->mNumMaterials, built, left);
   if (built.triangles() == 0) throw usage_error("has no triangle with an area, expected one");
+  if (left.coloured > 0) messages.push_back(fmt::format("colours of {} vertices dropped", left.coloured));
+  if (left.narrow > 0)
+    messages.push_back(fmt::format("{} faces of fewer than three corners dropped", left.narrow));
   if (read->HasLights()) messages.push_back(fmt::format("{} lights of the file dropped", read->mNumLights));
   if (read->HasCameras())
     messages.push_back(fmt::format("{} cameras of the file dropped", read->mNumCameras));
@@ -262,6 +336,13 @@ bool receive(pipe_reader& in, mesh& made, std::vector<std::string>& messages, st
 
 mesh read_by_library(const std::string& path, std::vector<std::string>& messages) {
   if (access(path.c_str(), R_OK) != 0) throw file_error(path, 0, "cannot be read (" + system_reason() + ")");
+  std::error_code unknown;
+  if (!std::filesystem::is_regular_file(path, unknown))
+    throw file_error(path, 0, "is no regular file, expected a mesh");
+  if (ending_of(path) == ".ply") {
+    if (const std::string missing = missing_of_ply(read_file(path)); !missing.empty())
+      throw file_error(path, 0, missing);
+  }
   std::array<int, 2> ends{};
   if (pipe(ends.data()) != 0) throw file_error(path, 0, "cannot be read (" + system_reason() + ")");
   const pid_t child = fork();

@@ -30,9 +30,10 @@ vec normal_of(const std::vector<vec>& corners) {
   return golden::normalised(sum);
 }
 
-/// The polygon in the plane of its two largest extents, counter-clockwise.
+/// The polygon in the plane of its two largest extents, counter-clockwise; empty where its parts cancel out.
 std::vector<flat_point> flattened(const std::vector<vec>& corners) {
   const vec normal = normal_of(corners);
+  if (dot(normal, normal) == 0) return {};
   const double x = std::abs(normal.x);
   const double y = std::abs(normal.y);
   const double z = std::abs(normal.z);
@@ -98,7 +99,8 @@ std::vector<std::array<std::size_t, 3>> cut_ears(const std::vector<flat_point>& 
     at %= left.size();
     tried = 0;
   }
-  if (left.size() == 3) ears.push_back({left[0], left[1], left[2]});
+  if (left.size() == 3 && turn(flat[left[0]], flat[left[1]], flat[left[2]]) >= 0)
+    ears.push_back({left[0], left[1], left[2]});
   return ears;
 }
 
@@ -164,6 +166,7 @@ vec mesh_builder::area_of(const triangle& of) const {
 }
 
 void mesh_builder::add(std::span<const corner> polygon, std::uint32_t material, std::int32_t smoothing) {
+  bool is_crossed = false;
   if (polygon.size() > 3) {
     std::vector<vec> corners;
     for (const corner& each : polygon) corners.push_back(positions[each.position]);
@@ -175,11 +178,13 @@ void mesh_builder::add(std::span<const corner> polygon, std::uint32_t material, 
         for (const auto& [a, b, c] : ears) append(polygon[a], polygon[b], polygon[c], material, smoothing);
         return;
       }
-      ++crossed_;
+      is_crossed = true;
     }
   }
+  const std::size_t before = triangles_.size();
   for (std::size_t i = 2; i < polygon.size(); ++i)
     append(polygon[0], polygon[i - 1], polygon[i], material, smoothing);
+  if (is_crossed && triangles_.size() > before) ++crossed_;
 }
 
 /// Files that wind their faces clockwise give themselves away by their normals.
@@ -192,6 +197,7 @@ void mesh_builder::turn_outwards() {
     if (dot(area_of(each), sum) >= 0) continue;
     std::swap(each.position[1], each.position[2]);
     std::swap(each.normal[1], each.normal[2]);
+    ++turned_;
   }
 }
 
@@ -204,23 +210,28 @@ void mesh_builder::compute_normals(std::vector<std::string>& messages) {
   for (const triangle& each : triangles_) areas.push_back(area_of(each));
   const faces_by_place around(positions, triangles_);
   std::size_t count = 0;
+  std::size_t crowded = 0;
   for (std::uint32_t i = 0; i < triangles_.size(); ++i) {
     for (std::size_t k = 0; k < 3; ++k) {
       std::uint32_t& normal = triangles_[i].normal[k];
       if (normal != kNoNormal) continue;
       normal = static_cast<std::uint32_t>(normals.size());
-      const vec mean = golden::normalised(smooth_area(i, around.of(triangles_[i].position[k]), areas));
+      const std::span<const std::uint32_t> faces = around.of(triangles_[i].position[k]);
+      if (faces.size() > kMostFaces) ++crowded;
+      const vec mean = golden::normalised(smooth_area(i, faces, areas));
       normals.push_back(dot(mean, mean) > 0 ? mean : golden::normalised(areas[i]));
       ++count;
     }
   }
   messages.push_back(fmt::format("{} normals computed, as the file has none there", count));
+  if (crowded > 0)
+    messages.push_back(
+        fmt::format("{} corners not smoothed, where more than {} faces meet", crowded, kMostFaces));
 }
 
 vec mesh_builder::smooth_area(std::uint32_t face, std::span<const std::uint32_t> around,
                               const std::vector<vec>& areas) const {
-  constexpr double kCrease = 0.5;           // cos of 60 degrees
-  constexpr std::size_t kMostFaces = 1000;  // each is compared with each
+  constexpr double kCrease = 0.5;  // cos of 60 degrees
   if (around.size() > kMostFaces) return areas[face];
   const auto is_smooth_with = [&](std::uint32_t other) {
     if (face == other) return true;
@@ -253,6 +264,8 @@ mesh mesh_builder::finish(std::vector<std::string>& messages) && {
   if (without_direction > 0)
     messages.push_back(fmt::format("{} normals of length 0 dropped", without_direction));
   turn_outwards();
+  if (turned_ > 0)
+    messages.push_back(fmt::format("{} triangles turned to face as their normals do", turned_));
   compute_normals(messages);
   return {std::move(positions), std::move(normals), std::move(triangles_), std::move(materials)};
 }

@@ -23,6 +23,9 @@ class mesh_builder {
   /// Corners of a polygon that is not convex: cutting it takes the square of their number and more.
   static constexpr std::size_t kMostConcave = 2000;
 
+  /// Faces at one place that are smoothed: each is compared with each.
+  static constexpr std::size_t kMostFaces = 1000;
+
   struct corner {
     std::uint32_t position;
     std::uint32_t normal = kNoNormal;
@@ -57,6 +60,7 @@ class mesh_builder {
   std::vector<std::int32_t> smoothing_;  // of the triangles
   std::size_t dropped_ = 0;
   std::size_t crossed_ = 0;
+  std::size_t turned_ = 0;
 };
 
 }  // namespace blysk::scene

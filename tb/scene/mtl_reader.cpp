@@ -25,7 +25,7 @@ class mtl_line {
     const auto value = number_of(word);
     if (!value) {
       throw file_error(path_, number_,
-                       fmt::format("{} is '{}', expected a number", keyword_, printable(word)));
+                       fmt::format("{} is '{}', expected a number", shown(keyword_), shown(word)));
     }
     return *value;
   }

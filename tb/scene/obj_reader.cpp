@@ -74,9 +74,9 @@ class obj_reader {
     for (double& each : at) {
       const std::string_view word = take_word(rest);
       const auto value = number_of(word);
-      if (!value) fail(fmt::format("{} has '{}', expected three numbers", what, printable(word)));
+      if (!value) fail(fmt::format("{} has '{}', expected three numbers", what, shown(word)));
       if (std::abs(*value) > mesh::kLargest)
-        fail(fmt::format("{} has {}, expected at most {}", what, printable(word), mesh::kLargest));
+        fail(fmt::format("{} has {}, expected at most {}", what, shown(word), mesh::kLargest));
       each = *value;
     }
     return {at[0], at[1], at[2]};
@@ -117,7 +117,7 @@ class obj_reader {
     const bool is_number = error == std::errc{} && end == word.data() + word.size();
     if (!is_number || index == 0 || index > std::numeric_limits<std::int32_t>::max() ||
         index < -static_cast<std::int64_t>(count)) {
-      fail(fmt::format("{} '{}' does not exist, expected 1 to {}", what, printable(word), count));
+      fail(fmt::format("{} '{}' does not exist, expected 1 to {}", what, shown(word), count));
     }
     const auto at =
         static_cast<std::uint32_t>(index > 0 ? index - 1 : index + static_cast<std::int64_t>(count));
@@ -150,8 +150,10 @@ class obj_reader {
 
   /// Names may hold blanks: the whole line is one file if there is one, else each word is.
   void read_libraries(std::string_view value) {
+    if (value.size() > 2 && value.starts_with('"') && value.ends_with('"'))
+      value = value.substr(1, value.size() - 2);
     std::vector<std::string> names{std::string(value)};
-    if (value.find(' ') != std::string_view::npos) {
+    if (value.find_first_of(" \t") != std::string_view::npos) {
       try {
         read_library(names.front());
         return;
@@ -196,8 +198,9 @@ class obj_reader {
       } else {
         built_.materials.push_back(plain_material());
         if (!name.empty())
-          messages_.push_back(
-              fmt::format("material '{}' is in no library, a plain one taken", printable(name)));
+          messages_.push_back(fmt::format("material '{}' is in no library, a plain one taken", shown(name)));
+        else
+          note_plain(std::ranges::count(faces_, names_.at(name), &face::material));
       }
     }
     const std::span<const mesh_builder::corner> all(corners_);
@@ -205,6 +208,10 @@ class obj_reader {
       built_.add(all.subspan(each.first, each.size), each.material, each.smoothing);
     faces_ = {};
     corners_ = {};
+  }
+
+  void note_plain(std::ptrdiff_t faces) {
+    if (faces > 0) messages_.push_back(fmt::format("{} faces without usemtl, a plain material taken", faces));
   }
 
   void report_dropped() {

@@ -14,7 +14,6 @@
 #include "tb/usage_error.h"
 
 namespace blysk::scene {
-namespace {
 
 std::string ending_of(const std::string& path) {
   std::string ending = std::filesystem::path(path).extension().string();
@@ -22,8 +21,6 @@ std::string ending_of(const std::string& path) {
                          [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return ending;
 }
-
-}  // namespace
 
 read_world read_scene(const std::string& name, int density) {
   read_world read;
@@ -44,7 +41,11 @@ read_world read_scene(const std::string& name, int density) {
   if (std::filesystem::is_directory(path, error))
     throw file_error(name, 0, "is a directory, expected a file");
   const std::string ending = ending_of(name);
-  if (ending == ".json") return read_scene_file(name, decoded(name, read_file(name)), density);
+  if (ending == ".json") {
+    read = read_scene_file(name, decoded(name, read_file(name)), density);
+    read.files.push_back(name);
+    return read;
+  }
   if (density > 0)
     throw file_error(name, 0, "is a mesh from a file, expected --density with a built-in shape only");
   if (ending == ".obj") {
@@ -55,12 +56,15 @@ read_world read_scene(const std::string& name, int density) {
       std::error_code unknown;
       if (std::filesystem::exists(beside, unknown) && !std::filesystem::is_regular_file(beside, unknown))
         throw file_error(beside, 0, "is no regular file, expected a library of materials");
-      return library_text{beside, read_file(beside)};
+      library_text opened{beside, read_file(beside)};
+      read.files.push_back(beside);
+      return opened;
     };
     read.of.surface = read_obj(name, decoded(name, read_file(name)), open, read.of.messages);
   } else {
     read.of.surface = read_by_library(name, read.of.messages);
   }
+  read.files.push_back(name);
   return read;
 }
 

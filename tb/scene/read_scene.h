@@ -4,6 +4,7 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 #include "tb/scene/scene.h"
 
@@ -11,6 +12,7 @@ namespace blysk::scene {
 
 struct read_world {
   world of;
+  std::vector<std::string> files;  ///< that were read: scene, mesh, libraries of materials
   /// Options of the command line that a scene file gives: "size" "512x512", "shading" "phong".
   std::map<std::string, std::string> options;
 };
@@ -22,6 +24,9 @@ read_world read_scene(const std::string& name, int density = 0);
 /// docs/scenes.md has the schema.
 /// \param text  of the file
 read_world read_scene_file(const std::string& path, const std::string& text, int density = 0);
+
+/// ".obj" of "a/Ball.OBJ": what follows the last point, in small letters.
+std::string ending_of(const std::string& path);
 
 /// \throws usage_error for a camera that sees nothing: no direction, no angle
 void check_camera(const std::string& where, const camera& view);

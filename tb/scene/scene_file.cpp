@@ -134,13 +134,18 @@ void read_material(const field& from, material& to) {
   }
 }
 
-/// Materials of the mesh by name; "*" is all of them.
+/// Materials of the mesh by name; "*" is all of them, before what is said of one.
 void read_materials(const field& from, const std::vector<std::pair<std::string, field>>& all,
                     std::vector<material>& materials) {
   for (const auto& [name, value] : all) {
+    if (name != "*") continue;
+    for (material& each : materials) read_material(value, each);
+  }
+  for (const auto& [name, value] : all) {
+    if (name == "*") continue;
     bool found = false;
     for (material& each : materials) {
-      if (name != "*" && each.name != name) continue;
+      if (each.name != name) continue;
       read_material(value, each);
       found = true;
     }
@@ -211,9 +216,10 @@ read_world read_scene_file(const std::string& path, const std::string& text, int
   const field* const mesh_name = find("mesh");
   if (mesh_name == nullptr) all.fail("has no mesh, expected its name");
   std::string name = mesh_name->text();
+  if (name.empty()) mesh_name->fail("is empty, expected the name of a mesh");
   if (find_shape(name) == nullptr) {
     name = (std::filesystem::path(path).parent_path() / name).string();
-    if (name.ends_with(".json")) mesh_name->fail("is a scene, expected a mesh");
+    if (ending_of(name) == ".json") mesh_name->fail("is a scene, expected a mesh");
     if (find("density") != nullptr)
       find("density")->fail("is of a built-in shape, expected none beside a mesh from a file");
   }

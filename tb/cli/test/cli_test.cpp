@@ -238,6 +238,7 @@ TEST_CASE("a table whose meaning is not clear is refused", "[cli]") {
        {"n,cos,r,g,b\n\"1\"\"\",0.5,1,2,3\n", ":2: n is '1\"', expected an integer 1..1000"},
        {"n,cos,r,g,b,\n10,0.5,1,2,3,4\n", ":2: row has 6 fields, expected 5: n,cos,r,g,b"},
        {"n,cos,r,g,b\nsep=,\n", ":2: row has 2 fields, expected 5"},
+       {"n;cos;r;g;b;n\n", ":1: header is 'n;cos;r;g;b;n' with column n twice"},
        {"\xFF\xFEn", ":1: is UTF-16, expected text in UTF-8"},
        {"\xFE\xFFn", ":1: is UTF-16, expected text in UTF-8"},
        {"x,n,cos,r,g,b\n10,0.5,1,2,3\n", ":2: row has 5 fields, expected 6: x,n,cos,r,g,b"},

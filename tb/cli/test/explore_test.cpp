@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // blysk explore, as its user calls it.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
@@ -220,6 +222,49 @@ TEST_CASE("explore refuses bad use and bad files in one line", "[explore]") {
   other.replace(other.find("\"q8\""), 4, "\"q9\"");
   folder.write("rows/cost_q8.json", other);
   fails(rows_in(folder), "cost_q8.json: is no row of this program: format q9 does not exist");
+}
+
+TEST_CASE("merge writes into an empty folder or that of the same sweep", "[explore]") {
+  const scratch folder;
+  const auto at = [&](const char* name) { return quoted(folder.path(name)); };
+  const auto sweep = [&](const std::string& more) {
+    return run_blysk(folder, "explore --cos 4 " + more).status;
+  };
+  REQUIRE(sweep("--coefficient 4 --square 8 --output " + at("a")) == 0);
+  REQUIRE(sweep("--coefficient 5 --square 8 --output " + at("b")) == 0);
+  fs::create_directory(folder.path("a/logs"));
+  folder.write("a/left.part", "half a row");
+  const auto merge = [&](const std::string& arguments) {
+    return run_blysk(folder, "explore merge " + arguments);
+  };
+  CHECK(merge(at("a") + " --output " + at("w") + " --metric typo").status == 2);
+  CHECK(!fs::exists(folder.path("w")));
+  REQUIRE(merge(at("a") + " --output " + at("w")).status == 0);
+  CHECK(std::distance(fs::directory_iterator(folder.path("w")), fs::directory_iterator()) == 2);
+  CHECK(merge(at("a") + " --output " + at("w")).status == 0);
+  const std::string description = slurp(folder.path("w/sweep.json"));
+  const outcome other = merge(at("b") + " --output " + at("w"));
+  CHECK(other.status == 2);
+  CHECK_THAT(other.err, ContainsSubstring("w: belongs to another sweep or shard"));
+  CHECK(slurp(folder.path("w/sweep.json")) == description);
+  CHECK_THAT(merge(at("a") + " --output " + at("a")).err, ContainsSubstring("a: is one of the shards"));
+}
+
+TEST_CASE("explore takes each value of each option of a device", "[explore]") {
+  const scratch folder;
+  for (const json& device : json::parse(run_blysk(folder, "list --json").out)["devices"]) {
+    for (const auto& option : device["options"]) {
+      for (const auto& value : option["values"]) {
+        const std::string arguments =
+            fmt::format("explore --csv --device {} --{}={}", device["name"].get<std::string>(),
+                        option["name"].get<std::string>(), value.get<std::string>());
+        CAPTURE(arguments);
+        const outcome run = run_blysk(folder, arguments);
+        CHECK(run.status == 0);
+        CHECK(run.out.starts_with("device,"));
+      }
+    }
+  }
 }
 
 TEST_CASE("explore measures errors at word lengths of one's own", "[explore]") {

@@ -192,6 +192,12 @@ TEST_CASE("hard links and links into nothing lead where they did", "[cli][files]
   CHECK(slurp(folder.path("below/new.csv")).starts_with(kResult));
   CHECK(shell(folder, "\"$BLYSK\" simulate --stimulus o.csv --results other.csv 2>error") == 2);
   check_message(slurp(folder.path("error")), "other.csv: is given by --stimulus and --results");
+  fs::create_symlink("later.csv", folder.path("l1"));
+  fs::create_symlink("later.csv", folder.path("l2"));
+  CHECK(shell(folder,
+              "\"$BLYSK\" simulate --stimulus in.csv --engine timed --format q8 --results l1 --settling l2 "
+              "2>error") == 2);
+  check_message(slurp(folder.path("error")), "l2: is given by --results and --settling");
 }
 
 TEST_CASE("a file that is read through standard input is not written over", "[cli][files]") {

@@ -241,11 +241,43 @@ TEST_CASE("polygons are cut without loss or overlap", "[scene]") {
   }));
   CHECK(made.of.triangles.size() == 8);
   CHECK(area_of(made.of) == Approx(5 * 2 * 0.5 * std::sin(M_PI / 5)));
-  CHECK(made.messages.size() == 1);  // of the normals
+  CHECK(made.messages.size() == 2);  // of the material and the normals
   // One of too many corners is taken as convex, and said.
   made = read(polygon_of(2002, [](int i) { return flat(i % 2 == 0 ? 2 : 1, i * M_PI / 1001); }));
   CHECK(made.of.triangles.size() == 2000);
-  CHECK(made.messages[0] == "1 polygons that cut themselves, or of more than 2000 corners, taken as convex");
+  constexpr const char* kAsConvex =
+      "1 polygons that cut themselves, or of more than 2000 corners, taken as convex";
+  CHECK(made.messages[1] == kAsConvex);
+  // Bow ties: one whose halves cancel out, and one of a larger half.
+  for (const char* ends : {"v 1 1 0\nv 0 1 0\n", "v 1 1 0\nv 0 3 0\n"}) {
+    CAPTURE(ends);
+    made = read(std::string("v 0 0 0\nv 1 0 0\n") + ends + "f 1 3 2 4\n");
+    CHECK(std::ranges::count(made.messages, std::string(kAsConvex)) == 1);
+  }
+}
+
+TEST_CASE("what is chosen for a file is said", "[scene]") {
+  auto made = read("mtllib m\n" + kSquare + "f 1 2 3\nusemtl a\nf 1 3 4\n", {{"m", "newmtl a\nKd 1 0 0\n"}});
+  CHECK(std::ranges::count(made.messages, "1 faces without usemtl, a plain material taken") == 1);
+  made = read("vn 0 0 -1\n" + kSquare + "f 1//1 2//1 3//1\n");
+  CHECK(std::ranges::count(made.messages, "1 triangles turned to face as their normals do") == 1);
+  // A cone of so many sides that its tip is not smoothed.
+  std::string cone = "v 0 0 1\n";
+  for (int i = 0; i <= 1001; ++i)
+    cone += fmt::format("v {} {} 0\n", std::cos(i * 2 * M_PI / 1001), std::sin(i * 2 * M_PI / 1001));
+  for (int i = 0; i < 1001; ++i) cone += fmt::format("f 1 {} {}\n", i + 2, i + 3);
+  made = read(cone);
+  CHECK(std::ranges::count(made.messages, "1001 corners not smoothed, where more than 1000 faces meet") == 1);
+}
+
+TEST_CASE("libraries between quotes and behind tabs", "[scene]") {
+  const std::map<std::string, std::string> files{
+      {"my stuff.mtl", "newmtl a\nKd 1 0 0\n"}, {"b.mtl", "newmtl a\nKd 1 0 0\n"}, {"c.mtl", "newmtl c\n"}};
+  for (const char* library : {"mtllib \"my stuff.mtl\"\n", "mtllib c.mtl\tb.mtl\n"}) {
+    CAPTURE(library);
+    const auto made = read(library + kSquare + "usemtl a\nf 1 2 3\n", files);
+    CHECK(made.of.materials[made.of.triangles[0].material].kd == rgb{1, 0, 0});
+  }
 }
 
 TEST_CASE("what has no area or no use is dropped and said", "[scene]") {
@@ -263,7 +295,7 @@ TEST_CASE("what has no area or no use is dropped and said", "[scene]") {
   std::string kinds;
   for (int i = 0; i < 1000; ++i) kinds += fmt::format("kind{} x\n", i);
   made = read(kinds + kSquare + "f 1 2 3\n");
-  CHECK(made.messages.size() == 22);  // twenty, the rest, normals
+  CHECK(made.messages.size() == 23);  // twenty, the rest, material, normals
 }
 
 TEST_CASE("missing normals are computed by smoothing groups, or by a crease angle", "[scene]") {
@@ -306,7 +338,7 @@ TEST_CASE("faces are wound as their own normals say, and normals of no length ar
   CHECK(made.of.normals[made.of.triangles[0].normal[0]].z == -1);
   CHECK(normal_of(made.of.triangles[1]).z == 1);
   CHECK(made.of.normals[made.of.triangles[1].normal[0]].z == 1);
-  CHECK(made.messages[0] == "3 normals of length 0 dropped");
+  CHECK(std::ranges::count(made.messages, "3 normals of length 0 dropped") == 1);
 }
 
 }  // namespace
