@@ -11,7 +11,18 @@ devices=$("$2" explore --measured "$root/docs/tables" --csv | awk -F, '
 colours() { grep -oE '#[0-9a-f]{6}\b'; }
 picture=$(sed -n '/^palette =/,/^colour(/p' "$root/tb/cost/front.gnuplot" | colours)
 page=$(sed -n '/^const colours =/,/;$/p' "$root/tb/cost/front.html" | colours)
-[ "$picture" = "$page" ] || { diff <(echo "$picture") <(echo "$page") >&2 || true; echo "front.gnuplot and front.html differ" >&2; exit 1; }
-[ -z "$(sort <<<"$page" | uniq -d)" ] || { echo "a colour is there twice: $(sort <<<"$page" | uniq -d)" >&2; exit 1; }
+if [ "$picture" != "$page" ]; then
+  diff <(echo "$picture") <(echo "$page") >&2 || true
+  echo "front.gnuplot and front.html have other colours" >&2
+  exit 1
+fi
+twice=$(sort <<<"$page" | uniq -d)
+if [ -n "$twice" ]; then
+  echo "a colour is there twice: $twice" >&2
+  exit 1
+fi
 count=$(wc -l <<<"$page")
-[ "$devices" -gt 0 ] && [ "$count" -ge "$devices" ] || { echo "$count colours for $devices devices with a cost" >&2; exit 1; }
+if [ "$devices" = 0 ] || [ "$count" -lt "$devices" ]; then
+  echo "$count colours for $devices devices with a cost" >&2
+  exit 1
+fi
