@@ -28,9 +28,9 @@
 #     rows               PROGRAM of tables.cmake that writes further rows for the regression: PROGRAM DEVICE FORMAT FILE.csv
 #     covered, mutated   formats whose coverage is counted, whose mutants are tried: of the first 200 in a test
 #   tables.cmake   declares programs, targets and tests of tables that only this device has
-# Labels: quick takes seconds each, full less than a minute of processor time, long more; stability besides for hard cases.
-# What repeats for another format or device what a test without that label shows is `long` and `formats`: the formats whose
-# Verilog is not checked in, and mutants of other devices than the first one.
+# Labels: quick takes seconds each, full mostly less than a minute of processor time, long is not in the daily run; stability
+# besides for hard cases. `long` and `formats` is what repeats for another format or device what a test without that label
+# shows: the formats whose Verilog is not checked in, and mutants of other devices than the first one.
 
 # blysk_label(LABEL TEST...)
 function(blysk_label label)

@@ -80,7 +80,8 @@ tables measure_all(const std::string& device) {
           device) +
           "Over every cosine code c of the format: the largest |BRDF - c^n| and where it lies, the root of "
           "the "
-          "mean square,\nand the largest |BRDF - c^n| / c^n in the three epicentres (spec E12), with the "
+          "mean square,\nand the largest |BRDF - c^n| / c^n in the three epicentres "
+          "([E12](../errata.md#e12)), with the "
           "number of codes in each; where that\nis 1, only c = 1 lies in it, and there the error is 0. All "
           "numbers are dimensionless; the BRDF lies in [0, 1].\n"};
   for (const std::string_view format : format_names) {

@@ -78,7 +78,7 @@ std::vector<figure> hard_figures() {
        [](double x) { return std::pow(10, x); }});
   result.push_back(
       {"hard_underflow",
-       "c^{1000} in float leaves the normal numbers at c = 0.9164: half their spacing is what is lost",
+       "c^n at n = 1000 in float leaves the normal numbers at c = 0.9164: half their spacing is what is lost",
        "c",
        "value, relative error",
        "y",

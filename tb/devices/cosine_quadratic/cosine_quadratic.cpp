@@ -141,7 +141,7 @@ class cosine_quadratic final : public specular::device_of_points, public specula
   std::string source() const override { return "thesis of Buksha"; }
   std::string figure() const override { return "fig. 3.1"; }
   std::string good_for() const override {
-    return "smooth end of the highlight, a third of the quadratic's largest error; energy factors";
+    return "smooth end of the highlight, two fifths of the quadratic's largest error; energy factors";
   }
 
   std::vector<option> options() const override {

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # narrow.sh ASSERTION COMPILER [ARGUMENT]...: the assertion, "HEADER CONDITION", holds.
-# narrow.sh ASSERTION FILE NET FROM TO COMPILER [ARGUMENT]...: with FROM replaced by TO in the format of a net, in a copy of
-# FILE, it no longer compiles, because the net no longer fits. From the project's folder.
+# narrow.sh ASSERTION FILE NET FROM TO COMPILER [ARGUMENT]...: FROM is replaced by TO in the format of a net, in a copy of FILE.
+# With one integer bit less the file must fail to compile. From the project's folder.
 set -euo pipefail
 here=$(dirname "${BASH_SOURCE[0]}")
 refusal=$here/../../blocks/must_not_compile.sh

@@ -270,7 +270,7 @@ TEST_CASE("a graceful underflow: c^n below the smallest normal number", "[stabil
   CHECK(blinn(1000.0F, 0.5F) == 0.0F);
   CHECK(blinn(1000.0, 0.5) == std::ldexp(1.0, -1000));
   CHECK(blinn(140.0F, 0.5F) == std::ldexp(1.0F, -140));  // subnormal in single precision
-  // docs/numerics.md: c < 0.9163 at n = 1000.
+  // docs/numerics.md: c < 0.9164 at n = 1000.
   CHECK(blinn(1000.0F, 0.9162F) < std::numeric_limits<float>::min());
   CHECK(blinn(1000.0F, 0.9164F) > std::numeric_limits<float>::min());
 }
