@@ -100,7 +100,7 @@ std::vector<segment_run> run_segments(const device_source& from) {
       asked.by_segments = segments{.limit = limit, .measure = measure, .inner = inner};
       const outcome made = render(asked);
       const distance off = distance_of(whole, made.image);
-      all.push_back({name, *asked.by_segments, *made.by_segments, off.nmse, off.largest});
+      all.push_back({name, *asked.by_segments, *made.by_segments, off.nmse.value(), off.largest});
     };
     for (const colour_measure measure : {colour_measure::cie76, colour_measure::rgb}) {
       for (const double limit : {0.0, 1.0, 2.3, 5.0, 10.0}) run(measure, limit, inner_colours::mean);

@@ -313,12 +313,14 @@ TEST_CASE("distances of pictures are those of their formulas", "[render]") {
   a.rgb = {10, 20, 30, 0, 0, 0};
   b.rgb = {10, 22, 30, 3, 0, 0};
   const auto off = distance_of(a, b);
-  CHECK(off.nmse == Approx((4.0 + 9.0) / (100 + 400 + 900)));
+  CHECK(off.nmse.value() == Approx((4.0 + 9.0) / (100 + 400 + 900)));
   CHECK(*off.psnr_db == Approx(10 * std::log10(255.0 * 255.0 * 6 / 13)));
   CHECK(off.pixels_off == 1);
   CHECK(off.largest == 3);
   CHECK(distance_of(a, a).nmse == 0);
   CHECK(!distance_of(a, a).psnr_db);
+  CHECK(!distance_of(picture(2, 1), b).nmse);  // nothing to take a share of
+  CHECK(verdict({}) == "undefined, the reference is black");
   CHECK(verdict(1e-4) == "no visible difference");
   CHECK(verdict(2.6e-4) == "visible difference");
 }
