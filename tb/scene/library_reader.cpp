@@ -108,20 +108,16 @@ std::optional<rgb> colour_of(const aiMaterial& from, const char* key, unsigned t
 
 /// Files of these formats name a way to shade; what has a highlight is the model with specular light.
 void take_shading(const aiMaterial& from, raw_material& to) {
-  int model = 0;
-  if (from.Get(AI_MATKEY_SHADING_MODEL, model) != aiReturn_SUCCESS) {
-    to.illum = to.ks && *to.ks != rgb{0, 0, 0} ? 2 : 1;
-    return;
-  }
   const bool has_highlight = to.ks && *to.ks != rgb{0, 0, 0};
+  to.illum = has_highlight ? 2 : 1;
+  int model = 0;
+  if (from.Get(AI_MATKEY_SHADING_MODEL, model) != aiReturn_SUCCESS) return;
   if (model == aiShadingMode_NoShading) {
     to.illum = 0;
     to.notes.emplace_back("without shading, its diffuse colour is taken as it is");
   } else if (model == aiShadingMode_Flat || model == aiShadingMode_Gouraud) {
     to.illum = 1;
     if (has_highlight) to.notes.emplace_back("matte by its shading, Ks dropped");
-  } else {
-    to.illum = has_highlight ? 2 : 1;
   }
 }
 

@@ -7,8 +7,8 @@
 
 namespace blysk::scene {
 
-/// What is missing of the elements that the header promises, such as "has 1 of 2 elements 'face', expected all"; empty if
-/// nothing is, or the header is none that this function understands.
+/// What is missing of the elements that the header promises, such as "has 1 of 2 elements 'face', expected all of
+/// them"; empty if nothing is, or the header is none that this function understands.
 /// \param text  of the file, in ASCII or binary of either byte order
 std::string missing_of_ply(std::string_view text);
 

@@ -12,7 +12,8 @@ namespace blysk::scene {
 
 struct read_world {
   world of;
-  std::vector<std::string> files;  ///< that were read: scene, mesh, libraries of materials
+  std::vector<std::string>
+      files;  ///< that were read: scene, mesh, MTL; without what a mesh of the library names
   /// Options of the command line that a scene file gives: "size" "512x512", "shading" "phong".
   std::map<std::string, std::string> options;
 };
