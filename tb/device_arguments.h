@@ -20,6 +20,10 @@ struct asked_device {
   selection choose(purpose is_for = purpose::hardware) const {
     return blysk::choose(device, format, options, is_for);
   }
+
+  /// "blysk_NAME_2_q16" for NAME-2: of the Verilog top module that is exported for it. Of an alias it is not
+  /// selection::top_name(): several of them stand in one design.
+  std::string export_name() const;
 };
 
 /// Adds --device, --format and the options of all devices; choose() refuses those that the device does not have.

@@ -49,9 +49,9 @@ void expect_same_export(const std::string& folder, const std::string& top, const
 
 void run(const options& asked) {
   const selection chosen = asked.device.choose();
-  const std::string name = chosen.top_name();
+  const std::string name = asked.device.export_name();
   const auto device = chosen.of().elaborate(chosen, 0);
-  verilog::files files = cost::annotated_export(*device, chosen);
+  verilog::files files = cost::annotated_export(*device, chosen, name);
   if (asked.wrapper == kSerial) {
     files[name + "_serial.v"] = verilog::serial_text(*device, name, chosen.text());
     files[name + "_serial.pcf"] = verilog::serial_pins(name);

@@ -102,10 +102,11 @@ class figures {
     return found;
   }
 
-  std::string comment() {
+  /// \param whose_digest  what is said behind the digest
+  std::string comment(const std::string& whose_digest = "") {
     text_ = kFirst;
     add("computes", function_of(asked_));
-    add("digest", digest_);
+    add("digest", digest_ + whose_digest);
     add_errors();
     add_certificate();
     add_cost();
@@ -205,12 +206,18 @@ std::string head_of(const selection& asked, const std::string& digest) {
   return figures(asked, digest).comment();
 }
 
-verilog::files annotated_export(const netlist::elaborated& device, const selection& asked) {
-  verilog::files files = verilog::export_files(device, asked.top_name(), asked.text());
-  figures found(asked, verilog_digest(files));
-  files[asked.top_name() + ".sdc"] = verilog::constraints_text(device, found.times());
-  std::string& top = files.at(asked.top_name() + ".v");
-  top.insert(top.find(kAfter), found.comment());
+verilog::files annotated_export(const netlist::elaborated& device, const selection& asked,
+                                const std::string& name) {
+  verilog::files files = verilog::export_files(device, name, asked.text());
+  const std::string measured_name = asked.top_name();
+  const bool is_renamed = name != measured_name;
+  figures found(
+      asked, verilog_digest(is_renamed ? verilog::export_files(device, measured_name, asked.text()) : files));
+  files[name + ".sdc"] = verilog::constraints_text(device, found.times());
+  std::string& top = files.at(name + ".v");
+  top.insert(
+      top.find(kAfter),
+      found.comment(is_renamed ? fmt::format(", with {} in their names", measured_name) : std::string()));
   return files;
 }
 

@@ -16,6 +16,8 @@ std::string head_of(const selection& asked, const std::string& digest);
 /// Verilog are left out. The digest by which they are found is that of the modules without the comment, so the comment
 /// changes no digest.
 /// \param device  elaborated as `asked` says, on a plain clock
-verilog::files annotated_export(const netlist::elaborated& device, const selection& asked);
+/// \param name    of the top module; if it is not asked.top_name(), the digest is that of the modules under that name
+verilog::files annotated_export(const netlist::elaborated& device, const selection& asked,
+                                const std::string& name);
 
 }  // namespace blysk::cost

@@ -50,7 +50,7 @@ bool is_current(const files& exported, const files& there) {
 
 int run(const std::string& action, const fs::path& directory, const selection& asked) {
   const auto device = asked.of().elaborate(asked, 0);
-  const files exported = cost::annotated_export(*device, asked);
+  const files exported = cost::annotated_export(*device, asked, asked.top_name());
   if (action == "check") return is_current(exported, read_directory(directory)) ? 0 : 1;
   if (action == "update") {
     if (read_directory(directory) == exported) return 0;

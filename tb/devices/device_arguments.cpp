@@ -76,6 +76,12 @@ std::string help_of(const shared_option& of, purpose is_for) {
 
 }  // namespace
 
+std::string asked_device::export_name() const {
+  std::string name = device;
+  std::ranges::replace(name, '-', '_');
+  return fmt::format("blysk_{}_{}", name, format);
+}
+
 void add_device_arguments(CLI::App& verb, asked_device& arguments, purpose is_for) {
   std::vector<std::string> names;
   for (const device* each : devices()) {

@@ -1,18 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // The exporter on a device that is none of the project's: what devices to come need of it.
-#include <unistd.h>
-
 #include <array>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 
 #include "rtl_sysc/blocks/add.h"
 #include "rtl_sysc/blocks/constant.h"
 #include "tb/catch.h"
 #include "tb/export/export.h"
 #include "tb/export/replay.h"
+#include "tb/scratch.h"
 
 namespace {
 
@@ -190,12 +187,6 @@ struct toy : sc_core::sc_module {
 
 constexpr const char* kAccumulator = "toy_accumulator_sq4_12_to_sq4_12_sq4_12.v";
 
-std::string slurp(const std::filesystem::path& path) {
-  std::ostringstream text;
-  text << std::ifstream(path).rdbuf();
-  return text.str();
-}
-
 }  // namespace
 
 TEST_CASE("a table, an accumulator and two equal stages are exported, linted and simulated", "[export]") {
@@ -216,8 +207,8 @@ TEST_CASE("a table, an accumulator and two equal stages are exported, linted and
   CHECK(top.find("  wire signed [16:0] a_sum;  // stage1: SQ4.12\n") != std::string::npos);
   CHECK(texts.at(kAccumulator).find("sum_q <= 17'd1234;") != std::string::npos);
 
-  std::string pattern = (std::filesystem::temp_directory_path() / "blysk toy XXXXXX").string();
-  const std::filesystem::path folder = mkdtemp(pattern.data());
+  const scratch made;
+  const std::filesystem::path folder = made.path("");
   const auto in_folder = [&](const std::string& command) {
     return std::system(("cd '" + folder.string() + "' && " + command).c_str());
   };
@@ -234,7 +225,6 @@ TEST_CASE("a table, an accumulator and two equal stages are exported, linted and
   verilog::write_files({{kAccumulator, wrong}}, folder);
   CHECK(in_folder("iverilog -g2001 -s replay -o replay.vvp *.v && vvp -n replay.vvp > said") == 0);
   CHECK(slurp(folder / "said") != "5000 cycles replayed, 0 differ\n");
-  std::filesystem::remove_all(folder);
 }
 
 namespace {

@@ -70,6 +70,43 @@ TEST_CASE("export writes the device's Verilog", "[cli]") {
   CHECK(run_blysk(folder, "export --output " + quoted(folder.path("two/levels/"))).status == 0);
 }
 
+TEST_CASE("an export by an alias bears the alias, and what is known of the device", "[cli]") {
+  const scratch folder;
+  const auto listed = nlohmann::json::parse(run_blysk(folder, "list --json").out);
+  int found = 0;
+  for (const auto& device : listed.at("devices")) {
+    for (const auto& [alias, values] : device.at("aliases").items()) {
+      CAPTURE(alias);
+      ++found;
+      const auto top_by = [&](const std::string& asked, std::string name) {
+        std::ranges::replace(name, '-', '_');
+        const std::string rtl = folder.path(name);
+        REQUIRE(
+            run_blysk(folder, "export --format q8 --device " + asked + " --output " + quoted(rtl)).status ==
+            0);
+        name = "blysk_" + name + "_q8";
+        const std::string text = slurp(rtl + "/" + name + ".v");
+        REQUIRE(text.find("module " + name + " (") != std::string::npos);
+        return text.substr(0, text.find("module "));
+      };
+      std::string options;
+      for (const auto& [name, value] : values.items())
+        options += " --" + name + " " + value.get<std::string>();
+      const std::string own = device.at("name");
+      std::string head = top_by(alias, alias);
+      CHECK(head.find("\n//   OSU018: ") != std::string::npos);
+      std::string name = own;
+      std::ranges::replace(name, '-', '_');
+      const std::string note = ", with blysk_" + name + "_q8 in their names";
+      REQUIRE(head.find(note) != std::string::npos);
+      head.erase(head.find(note), note.size());
+      CHECK(head == top_by(own + options, own));
+      fs::remove_all(folder.path(name));
+    }
+  }
+  CHECK(found > 0);
+}
+
 TEST_CASE("an export replaces one with the same options alone", "[cli]") {
   const scratch folder;
   const std::string to = " --format q8 --output " + quoted(folder.path("rtl"));

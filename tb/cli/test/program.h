@@ -7,10 +7,9 @@
 
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <string>
-#include <vector>
+
+#include "tb/scratch.h"
 
 namespace fs = std::filesystem;
 
@@ -18,44 +17,6 @@ namespace fs = std::filesystem;
 inline const std::string kDevice = BLYSK_DEVICE_NAME;
 inline std::string top_of(const std::string& format) {
   return "blysk_" BLYSK_DEVICE_IDENTIFIER "_" + format;
-}
-
-/// A folder that vanishes with the test.
-class scratch {
- public:
-  scratch() {
-    std::string pattern =
-        (fs::temp_directory_path() / "blysk test XXXXXX").string();  // a blank in every path
-    folder_ = mkdtemp(pattern.data());
-  }
-  ~scratch() {
-    std::error_code ignored;
-    fs::remove_all(folder_, ignored);
-  }
-  scratch(const scratch&) = delete;
-  scratch& operator=(const scratch&) = delete;
-
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
-  std::string write(const std::string& name, const std::string& text) const {
-    std::ofstream(folder_ / name, std::ios::binary) << text;
-    return path(name);
-  }
-  std::vector<std::string> names() const {
-    std::vector<std::string> names;
-    for (const auto& entry : fs::directory_iterator(folder_))
-      names.push_back(entry.path().filename().string());
-    return names;
-  }
-
- private:
-  fs::path folder_;
-};
-
-inline std::string slurp(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::stringstream text;
-  text << file.rdbuf();
-  return text.str();
 }
 
 struct outcome {

@@ -3,38 +3,13 @@
 #include "tb/cost/delays.h"
 
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
-
 #include "tb/catch_text.h"
 #include "tb/cost/cost_row.h"
+#include "tb/scratch.h"
 
 namespace {
 
 using namespace blysk;
-namespace fs = std::filesystem;
-
-class scratch {
- public:
-  scratch() {
-    std::string pattern = (fs::temp_directory_path() / "blysk delays XXXXXX").string();
-    folder_ = mkdtemp(pattern.data());
-  }
-  ~scratch() {
-    std::error_code ignored;
-    fs::remove_all(folder_, ignored);
-  }
-  scratch(const scratch&) = delete;
-  scratch& operator=(const scratch&) = delete;
-
-  std::string write(const std::string& name, const std::string& text) const {
-    std::ofstream(folder_ / name) << text;
-    return (folder_ / name).string();
-  }
-
- private:
-  fs::path folder_;
-};
 
 // A register of two bits, and a block y = {a[0] ^ a[1], !(a[0] a[1])}, whose second cell inverts the first.
 constexpr const char* kLibrary =

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Sweeps over word lengths: what they contain, how they go on after a stop, and how shards come together.
-#include <stdlib.h>
-
 #include <filesystem>
 #include <fstream>
 #include <set>
 
 #include "tb/catch_text.h"
 #include "tb/cost/sweep.h"
+#include "tb/scratch.h"
 
 namespace {
 
@@ -16,24 +15,6 @@ using namespace blysk::cost;
 namespace fs = std::filesystem;
 
 const std::string kDevice = devices().front()->name();
-
-class scratch {
- public:
-  scratch() {
-    std::string pattern = (fs::temp_directory_path() / "blysk sweep XXXXXX").string();
-    folder_ = mkdtemp(pattern.data());
-  }
-  ~scratch() {
-    std::error_code ignored;
-    fs::remove_all(folder_, ignored);
-  }
-  scratch(const scratch&) = delete;
-  scratch& operator=(const scratch&) = delete;
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
-
- private:
-  fs::path folder_;
-};
 
 /// Four small combinations.
 sweep small() {
