@@ -136,8 +136,9 @@ void report(const options& asked, const selection& device, const outcome& run, c
       json[key] = device.value(each.name);
     }
   }
-  std::string text = fmt::format("{} {} through {} {}, engine {}", run.rows, run.rows == 1 ? "row" : "rows",
-                                 device.of().name(), device.format(), asked.engine);
+  const std::string chosen = device.is_preset() ? "" : ", " + device.of().words(device);
+  std::string text = fmt::format("{} {} through {} {}{}, engine {}", run.rows, run.rows == 1 ? "row" : "rows",
+                                 device.of().name(), device.format(), chosen, asked.engine);
   if (asked.clamps) {
     json["clamped"] = run.clamped;
     text += fmt::format(", {} clamped", run.clamped);

@@ -8,9 +8,11 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <assimp/DefaultIOSystem.h>
 #include <assimp/material.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
+#include <algorithm>
 #include <array>
 #include <assimp/Importer.hpp>
 #include <cerrno>
@@ -53,6 +55,10 @@ class pipe_writer {
     value(from.size());
     bytes(from.data(), from.size());
   }
+  void texts(const std::vector<std::string>& from) {
+    value(from.size());
+    for (const std::string& each : from) text(each);
+  }
   template <class T>
   void list(const std::vector<T>& from) {
     value(from.size());
@@ -85,6 +91,14 @@ class pipe_reader {
     if (!value(size)) return false;
     to.resize(size);
     return bytes(to.data(), size);
+  }
+  bool texts(std::vector<std::string>& to) {
+    std::size_t count = 0;
+    if (!value(count)) return false;
+    for (std::size_t i = 0; i < count; ++i) {
+      if (!text(to.emplace_back())) return false;
+    }
+    return true;
   }
   template <class T>
   bool list(std::vector<T>& to) {
@@ -221,8 +235,26 @@ bool is_missing(const aiMaterial& of) {
          (name.empty() && kd && kd == colour_of(of, AI_MATKEY_COLOR_SPECULAR));
 }
 
-mesh import(const std::string& path, std::vector<std::string>& messages) {
+/// The files, with a note of each that the library opens.
+class noted_files final : public Assimp::DefaultIOSystem {
+ public:
+  /// \param opened  outlives the object
+  explicit noted_files(std::vector<std::string>& opened) : opened_(opened) {}
+
+  Assimp::IOStream* Open(const char* file, const char* mode) override {
+    Assimp::IOStream* const stream = DefaultIOSystem::Open(file, mode);
+    if (stream != nullptr && std::ranges::find(opened_, file) == opened_.end()) opened_.emplace_back(file);
+    return stream;
+  }
+
+ private:
+  std::vector<std::string>& opened_;
+};
+
+library_mesh import(const std::string& path, std::vector<std::string>& messages) {
+  library_mesh made;
   Assimp::Importer importer;
+  importer.SetIOHandler(new noted_files(made.files));  // the importer's from then on
   // Instances become triangles in the world's coordinates.
   const aiScene* read = importer.ReadFile(path, aiProcess_PreTransformVertices);
   if (read == nullptr)
@@ -246,7 +278,8 @@ mesh import(const std::string& path, std::vector<std::string>& messages) {
   if (read->HasLights()) messages.push_back(fmt::format("{} lights of the file dropped", read->mNumLights));
   if (read->HasCameras())
     messages.push_back(fmt::format("{} cameras of the file dropped", read->mNumCameras));
-  return std::move(built).finish(messages);
+  made.surface = std::move(built).finish(messages);
+  return made;
 }
 
 // Sanitizers take terabytes of addresses for themselves.
@@ -284,10 +317,10 @@ constexpr bool kLimitsMemory = true;
   pipe_writer out(to);
   try {
     std::vector<std::string> messages;
-    const mesh made = import(path, messages);
+    const auto [made, files] = import(path, messages);
     out.value('m');
-    out.value(messages.size());
-    for (const std::string& each : messages) out.text(each);
+    out.texts(messages);
+    out.texts(files);
     out.list(made.positions);
     out.list(made.normals);
     out.list(made.triangles);
@@ -306,15 +339,13 @@ constexpr bool kLimitsMemory = true;
 
 // --- In the program's process
 
-bool receive(pipe_reader& in, mesh& made, std::vector<std::string>& messages, std::string& error) {
+bool receive(pipe_reader& in, library_mesh& to, std::vector<std::string>& messages, std::string& error) {
   char kind = 0;
   if (!in.value(kind)) return false;
   if (kind == 'e') return in.text(error);
+  if (!in.texts(messages) || !in.texts(to.files)) return false;
+  mesh& made = to.surface;
   std::size_t count = 0;
-  if (!in.value(count)) return false;
-  for (std::size_t i = 0; i < count; ++i) {
-    if (!in.text(messages.emplace_back())) return false;
-  }
   if (!in.list(made.positions) || !in.list(made.normals) || !in.list(made.triangles) || !in.value(count))
     return false;
   for (std::size_t i = 0; i < count; ++i) {
@@ -330,7 +361,7 @@ bool receive(pipe_reader& in, mesh& made, std::vector<std::string>& messages, st
 
 }  // namespace
 
-mesh read_by_library(const std::string& path, std::vector<std::string>& messages) {
+library_mesh read_by_library(const std::string& path, std::vector<std::string>& messages) {
   if (access(path.c_str(), R_OK) != 0) throw file_error(path, 0, "cannot be read (" + system_reason() + ")");
   std::error_code unknown;
   if (!std::filesystem::is_regular_file(path, unknown))
@@ -348,7 +379,7 @@ mesh read_by_library(const std::string& path, std::vector<std::string>& messages
     serve(path, ends[1]);
   }
   close(ends[1]);
-  mesh made;
+  library_mesh made;
   std::string error;
   pipe_reader in(ends[0]);
   const bool is_whole = receive(in, made, messages, error);

@@ -62,7 +62,9 @@ read_world read_scene(const std::string& name, int density) {
     };
     read.of.surface = read_obj(name, decoded(name, read_file(name)), open, read.of.messages);
   } else {
-    read.of.surface = read_by_library(name, read.of.messages);
+    library_mesh made = read_by_library(name, read.of.messages);
+    read.of.surface = std::move(made.surface);
+    read.files = std::move(made.files);
   }
   read.files.push_back(name);
   return read;

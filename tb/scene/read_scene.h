@@ -12,8 +12,7 @@ namespace blysk::scene {
 
 struct read_world {
   world of;
-  std::vector<std::string>
-      files;  ///< that were read: scene, mesh, MTL; without what a mesh of the library names
+  std::vector<std::string> files;  ///< that were read: scene, mesh, and what they name
   /// Options of the command line that a scene file gives: "size" "512x512", "shading" "phong".
   std::map<std::string, std::string> options;
 };

@@ -45,6 +45,18 @@ TEST_CASE("simulate gives the same rows through bit and systemc", "[cli]") {
   }
 }
 
+TEST_CASE("the summary of simulate names the options that are no presets", "[cli]") {
+  const scratch folder;
+  const std::string in = folder.write("in.csv", kGood);
+  const auto summary = [&](const std::string& more) {
+    return run_blysk(folder, simulate(in, folder.path("out.csv"), more)).out;
+  };
+  CHECK(summary("--format q12").starts_with("4 rows through " + kDevice + " q12, engine bit: "));
+  const std::string other = summary("--format q12 --coefficient published");
+  CHECK(other.starts_with("4 rows through " + kDevice + " q12, coefficient published"));
+  CHECK(other.find(", engine bit: ") != std::string::npos);
+}
+
 TEST_CASE("simulate gives the same rows through the exported Verilog", "[cli]") {
   const scratch folder;
   const std::string in = folder.write("in.csv", kGood);

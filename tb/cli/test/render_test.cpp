@@ -3,7 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -118,16 +121,34 @@ TEST_CASE("test models of assimp look the same with all effects under every engi
   CHECK(lit == 2 * 4);  // those of OBJ: the models of 3DS are matte
 }
 
+constexpr const char* kTriangleInGltf =
+    R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}],
+  "nodes": [{"mesh": 0}], "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+  "buffers": [{"uri": "t.bin", "byteLength": 36}], "bufferViews": [{"buffer": 0, "byteLength": 36}],
+  "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3", "min": [0, 0, 0],
+                 "max": [1, 1, 0]}]})";
+
+/// The buffer: the corners (0, 0, 0), (1, 0, 0) and (0, 1, 0).
+std::string triangle_of_gltf() {
+  const std::array<float, 9> corners{0, 0, 0, 1, 0, 0, 0, 1, 0};
+  return {reinterpret_cast<const char*>(corners.data()), sizeof corners};
+}
+
 TEST_CASE("no result replaces a file that was read, nor a frame another result", "[cli][render]") {
   const scratch folder;
   const std::vector<std::pair<std::string, std::string>> files{
       {"t.obj", "mtllib t.mtl\n" + kTriangle + "usemtl a\nf 1 2 3\n"},
       {"t.mtl", "newmtl a\nKd 1 0 0\n"},
-      {"t.json", "{\"mesh\": \"t.obj\"}"}};
+      {"t.json", "{\"mesh\": \"t.obj\"}"},
+      {"t.gltf", kTriangleInGltf},
+      {"t.bin", triangle_of_gltf()}};
   for (const auto& [name, text] : files) folder.write(name, text);
-  for (const std::string scene : {"t.obj", "t.json"}) {
+  const std::map<std::string, std::set<std::string>> read_by{{"t.obj", {"t.obj", "t.mtl"}},
+                                                             {"t.json", {"t.json", "t.obj", "t.mtl"}},
+                                                             {"t.gltf", {"t.gltf", "t.bin"}}};
+  for (const auto& [scene, names] : read_by) {
     for (const auto& [name, text] : files) {
-      if (scene == "t.obj" && name == "t.json") continue;
+      if (!names.contains(name)) continue;
       for (const char* option : {"--report", "--compare", "--engine systemc --vcd"}) {
         CAPTURE(scene, name, option);
         const outcome run =

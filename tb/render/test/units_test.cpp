@@ -270,6 +270,28 @@ TEST_CASE("an energy factor multiplies the specular term alone, as double does",
   CHECK(render::render(refused).device_writes > 0);
 }
 
+TEST_CASE("a grey point in several lights has in all channels what red has", "[render]") {
+  const bit_units units("q12");
+  std::array<sum_rgb, 2> sums{};
+  std::array<channel_rgb, 2> channels{};
+  effect_units adds(units.source, {sums, channels});
+  for (std::uint32_t point = 0; point < 2; ++point) {
+    const bool is_grey = point == 0;
+    adds.begin(point, {1000, 1000, 1000}, is_grey);
+    for (const std::int64_t light : {1, 2, 3}) {
+      const std::uint32_t number = adds.add({5000 * light, 5000 * light, 5000 * light}, 1000 * light);
+      for (std::size_t channel = 0; channel < (is_grey ? 1 : 3); ++channel)
+        adds.set_specular(number, channel, 20000 * light);
+    }
+  }
+  adds.run();
+  CHECK(adds.rows() == 6);
+  CHECK(sums[0] == sums[1]);
+  CHECK(channels[0] == channels[1]);
+  CHECK(channels[0][0] > 0);
+  CHECK(channels[0][0] < 255);
+}
+
 TEST_CASE("sixty-four full lights are white", "[render]") {
   scene::world of;
   of.surface = scene::make_sphere(16);
