@@ -159,7 +159,7 @@ void print_table(const options& asked, const std::vector<cost::configuration>& r
     fmt::print("{}", rows.empty() ? text.substr(0, text.find('\n') + 1) : text);
   } else if (asked.markdown) {
     fmt::print("{}", markdown_table(rows, by, where));
-  } else if (asked.html.empty()) {
+  } else if (asked.html.empty() && !rows.empty()) {
     fmt::print(
         "{}\nerror: {}; RAM: blocks of 4096 bits; LUT + DSP: with DSP blocks of an UP5K; MHz: median "
         "[least..most]\n"

@@ -108,6 +108,15 @@ TEST_CASE("explore prints tables, CSV and a page", "[explore]") {
              ContainsSubstring("\"lut\":1000") && ContainsSubstring("</html>"));
 }
 
+TEST_CASE("explore says that nothing was measured, in place of a table without rows", "[explore]") {
+  const scratch folder;
+  write_row(folder, "q8", 1000, 4000, 0.5);
+  const outcome none = run_blysk(folder, "explore --format q24" + rows_in(folder));
+  CHECK(none.status == 0);
+  CHECK(none.out.empty());
+  CHECK(none.err.starts_with("blysk: no measured configuration is of this device"));
+}
+
 TEST_CASE("each command that explore prints is one that runs, up to its measurements", "[explore]") {
   const scratch folder;
   const json rows = json::parse(run_blysk(folder, "explore --json --domain whole").out);
