@@ -22,26 +22,13 @@ device=$1 format=$2
 chosen=(--device "$device" --format "$format" "${@:3}")
 here=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
 rows=256 warm=16
-export LC_ALL=C BLYSK_CELLS=${BLYSK_CELLS:-$root/build/deps/osu018/osu018_stdcells.lib}
 # shellcheck source=tb/cost/icarus_sdf.sh
 . "$here/../icarus_sdf.sh"
-need_tools
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-cd "$folder"
-fail() { echo "$*"; exit 1; }
-
-BLYSK_SYNTHESIS=$synthesis BLYSK_ROWS=$folder/rows BLYSK_SYNTH_WORK=$folder/work \
-  "$root/scripts/synth" --delays "$device" "$format" "${@:3}" >said 2>&1 || { cat said; exit 1; }
-place=$("$synthesis" path --kind delays "${chosen[@]}")
-measured=$folder/rows/$place
-mapped=$folder/work/${place%.json}
-[ -f "$measured" ] || { cat said; exit 1; }
+map_device "$synthesis" "$device" "$format" "${@:3}"
 row=$root/docs/tables/${place/delays_/energy_}
-tools() { sed -n '/"tools"/,/}/p' "$1"; }
 if [ "$action" = check ]; then
   [ -f "$row" ] || fail "$row is missing: the target update_energy measures it"
-  [ "$(tools "$measured")" = "$(tools "$row")" ] || { echo "the tools are others than those of $row"; exit 77; }
+  [ "$(tools_of "$measured")" = "$(tools_of "$row")" ] || { echo "the tools are others than those of $row"; exit 77; }
 fi
 
 # Rows of three kinds. random: all codes alike. line: a scan line through a highlight of n = 50. sphere: pixels of a lit sphere.

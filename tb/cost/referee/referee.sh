@@ -18,26 +18,14 @@ if [ $# -gt 0 ] && [[ $1 != --* ]]; then fault=$1 && shift; fi
 if [ $# -gt 0 ] && [[ $1 != --* ]]; then block=$1 && shift; fi
 chosen=(--device "$device" --format "$format" "$@")
 here=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
-export LC_ALL=C BLYSK_CELLS=${BLYSK_CELLS:-$root/build/deps/osu018/osu018_stdcells.lib}
 # shellcheck source=tb/cost/icarus_sdf.sh
 . "$here/../icarus_sdf.sh"
-need_tools
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-cd "$folder"
-fail() { echo "$*"; exit 1; }
-
-# The delays, measured anew; of the same tools they are those that are checked in.
-BLYSK_SYNTHESIS=$synthesis BLYSK_ROWS=$folder/rows BLYSK_SYNTH_WORK=$folder/work \
-  "$root/scripts/synth" --delays "$device" "$format" "$@" >said 2>&1 || { cat said; exit 1; }
-place=$("$synthesis" path --kind delays "${chosen[@]}")
-measured=$folder/rows/$place checked=$root/docs/tables/$place
-[ -f "$measured" ] || { cat said; exit 1; }
-tools() { sed -n '/"tools"/,/}/p' "$1"; }
-if [ -f "$checked" ] && [ "$(tools "$measured")" = "$(tools "$checked")" ]; then
+map_device "$synthesis" "$device" "$format" "$@"
+# Of the same tools they are those that are checked in.
+checked=$root/docs/tables/$place
+if [ -f "$checked" ] && [ "$(tools_of "$measured")" = "$(tools_of "$checked")" ]; then
   cmp "$measured" "$checked" || fail "docs/tables/$place is stale: scripts/synth --delays $device $format $* measures it"
 fi
-mapped=$folder/work/${place%.json}
 cp "$measured" delays.json
 if [ "$fault" = halved ]; then
   awk -v block="$block" '

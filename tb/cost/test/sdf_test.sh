@@ -7,9 +7,7 @@ set -euo pipefail
 unset CDPATH
 root=$(readlink -f "$1") blysk=$(readlink -f "$3") device=$4 format=$5
 BLYSK_SYNTHESIS=$(readlink -f "$2")
-export BLYSK_SYNTHESIS LC_ALL=C
-export BLYSK_CELLS=${BLYSK_CELLS:-$root/build/deps/osu018/osu018_stdcells.lib}
-fail() { echo "$*" && exit 1; }
+export BLYSK_SYNTHESIS
 # shellcheck source=tb/cost/icarus_sdf.sh
 . "$root/tb/cost/icarus_sdf.sh"
 need_tools

@@ -9,6 +9,7 @@
 #include "tb/catch.h"
 #include "tb/device.h"
 #include "tb/specular/specular.h"
+#include "tb/specular/test/lobe_ends.h"
 #include "tb/visit_format.h"
 
 namespace {
@@ -88,28 +89,13 @@ TEST_CASE("with u^2/2 one memory of e^-t stands for cos^n better than without, f
 TEST_CASE("the peak is 1 for every n, and from t = 8 on the lobe is 0", "[ends]") {
   for (const auto name : format_names) {
     const selection asked = choose("table", std::string(name));
-    const auto& device = dynamic_cast<const specular::device_of_points&>(asked.of());
-    const auto bit = device.make_bit(asked);
     const std::int64_t one = std::int64_t{1} << asked.fraction();
-    columns in(device.ports(asked), port::role::data);
-    columns out;
-    in.resize(3000);
-    for (std::size_t i = 0; i < 1000; ++i) {
-      const auto n = static_cast<std::int64_t>(i + 1);
-      const double root = device.root(asked, static_cast<double>(n));
-      const std::int64_t codes[] = {one, static_cast<std::int64_t>(std::ldexp(root, asked.fraction())), 0};
-      for (std::size_t k = 0; k < 3; ++k) {
-        in[specular::kN].set(3 * i + k, n);
-        in[specular::kCos].set(3 * i + k, codes[k]);
-      }
-    }
-    bit->run(in, out);
-    for (std::size_t i = 0; i < 1000; ++i) {
-      CAPTURE(name, i + 1);
-      REQUIRE(out[specular::kBrdf].get(3 * i) == one);
-      if (device.root(asked, static_cast<double>(i + 1)) == 0) continue;
-      REQUIRE(out[specular::kBrdf].get(3 * i + 1) == 0);
-      REQUIRE(out[specular::kBrdf].get(3 * i + 2) == 0);
+    for (const specular::lobe_ends& each : specular::lobe_ends_of(asked)) {
+      CAPTURE(name, each.n);
+      REQUIRE(each.at_peak == one);
+      if (!each.has_root) continue;
+      REQUIRE(each.at_root == 0);
+      REQUIRE(each.at_zero == 0);
     }
   }
 }
