@@ -258,7 +258,8 @@ void add_render_options(CLI::App& verb, render_options& to) {
   }
 }
 
-void take_presets(const CLI::App& verb, const std::map<std::string, std::string>& from, render_options& to) {
+void take_presets(const CLI::App& verb, const std::map<std::string, scene::given_option>& from,
+                  render_options& to) {
   const std::vector<preset> presets{
       {"size", &to.size,
        [&] {
@@ -274,11 +275,11 @@ void take_presets(const CLI::App& verb, const std::map<std::string, std::string>
   for (const preset& each : presets) {
     const auto found = from.find(each.name);
     if (found == from.end() || verb.get_option(std::string("--") + each.name)->count() > 0) continue;
-    *each.place = found->second;
+    *each.place = found->second.text;
     try {
       each.check();
     } catch (const std::exception& error) {
-      throw file_error(to.scene, 0, fmt::format("{}: {}", each.name, error.what()));
+      throw file_error(to.scene, found->second.line, fmt::format("{}: {}", each.name, error.what()));
     }
   }
 }

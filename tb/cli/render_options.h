@@ -13,7 +13,7 @@
 
 #include "tb/device_arguments.h"
 #include "tb/render/render.h"
-#include "tb/scene/scene.h"
+#include "tb/scene/read_scene.h"
 
 namespace blysk::cli {
 
@@ -49,8 +49,9 @@ struct render_options {
 void add_render_options(CLI::App& verb, render_options& to);
 
 /// What the scene file says where the command line says nothing.
-/// \throws usage_error with the file and the member
-void take_presets(const CLI::App& verb, const std::map<std::string, std::string>& from, render_options& to);
+/// \throws usage_error with the file, the line and the member
+void take_presets(const CLI::App& verb, const std::map<std::string, scene::given_option>& from,
+                  render_options& to);
 
 /// Options that do not go together, and results of which the name tells that they are of another form.
 /// \throws usage_error

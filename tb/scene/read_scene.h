@@ -2,6 +2,7 @@
 /// A scene by its name: a built-in shape, a mesh file, or a scene file in JSON that names one of these.
 #pragma once
 
+#include <cstddef>
 #include <map>
 #include <string>
 #include <vector>
@@ -10,11 +11,17 @@
 
 namespace blysk::scene {
 
+/// An option of the command line that a scene file gives.
+struct given_option {
+  std::string text;
+  std::size_t line;  ///< of the file
+};
+
 struct read_world {
   world of;
   std::vector<std::string> files;  ///< that were read: scene, mesh, and what they name
-  /// Options of the command line that a scene file gives: "size" "512x512", "shading" "phong".
-  std::map<std::string, std::string> options;
+  /// By name: "size" "512x512", "shading" "phong".
+  std::map<std::string, given_option> options;
 };
 
 /// \param density  of built-in shapes; 0: their own

@@ -5,10 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <nlohmann/json.hpp>
-#include <set>
 
 #include "tb/line_reader.h"
+#include "tb/scene/json_document.h"
 #include "tb/scene/read_scene.h"
 #include "tb/scene/shapes.h"
 #include "tb/usage_error.h"
@@ -16,16 +15,21 @@
 namespace blysk::scene {
 namespace {
 
-using json = nlohmann::json;
+using nlohmann::json;
 
 /// A value of a scene file, and where it stands: "lights[0].colour".
 class field {
  public:
-  field(const std::string& path, const json& value, std::string where)
-      : path_(path), value_(value), where_(std::move(where)) {}
+  field(const std::string& path, const json_document& in) : path_(path), lines_(in.lines), value_(in.root) {}
 
-  [[noreturn]] void fail(const std::string& what) const {
-    throw file_error(path_, 0, fmt::format("{}: {}", where_.empty() ? "the file" : where_, what));
+  /// 0 for the whole, and for what the document does not say.
+  std::size_t line() const { return line_of(where_); }
+
+  [[noreturn]] void fail(const std::string& what) const { fail_at(where_, what); }
+
+  /// What is wrong is a member, whose line is named.
+  [[noreturn]] void fail_at_member(const std::string& key, const std::string& what) const {
+    fail_at(member_place(where_, key), what);
   }
 
   /// The members, each of which has to be one of those named.
@@ -34,8 +38,8 @@ class field {
     std::vector<std::pair<std::string, field>> all;
     for (const auto& [key, value] : value_.items()) {
       if (std::ranges::find(known, key) == known.end())
-        fail(fmt::format("has '{}', expected {}", shown(key), fmt::join(known, ", ")));
-      all.emplace_back(key, field(path_, value, where_.empty() ? key : where_ + "." + key));
+        fail_at_member(key, fmt::format("has '{}', expected {}", shown(key), fmt::join(known, ", ")));
+      all.emplace_back(key, field(*this, value, member_place(where_, key)));
     }
     return all;
   }
@@ -44,7 +48,7 @@ class field {
     if (!value_.is_array()) fail(fmt::format("is {}, expected an array", value_.type_name()));
     std::vector<field> all;
     for (std::size_t i = 0; i < value_.size(); ++i)
-      all.emplace_back(path_, value_[i], fmt::format("{}[{}]", where_, i));
+      all.push_back(field(*this, value_[i], element_place(where_, i)));
     return all;
   }
 
@@ -84,12 +88,25 @@ class field {
   }
 
  private:
+  field(const field& in, const json& value, std::string where)
+      : path_(in.path_), lines_(in.lines_), value_(value), where_(std::move(where)) {}
+
+  std::size_t line_of(const std::string& place) const {
+    const auto line = lines_.find(place);
+    return line == lines_.end() ? 0 : line->second;
+  }
+  [[noreturn]] void fail_at(const std::string& place, const std::string& what) const {
+    throw file_error(path_, line_of(place),
+                     fmt::format("{}: {}", where_.empty() ? "the file" : where_, what));
+  }
+
   /// Not what an array or object holds: it may be deeper than the stack.
   std::string shown_value() const {
     return value_.is_structured() ? fmt::format("an {}", value_.type_name()) : shown(value_.dump());
   }
 
   const std::string& path_;
+  const std::map<std::string, std::size_t>& lines_;
   const json& value_;
   std::string where_;
 };
@@ -152,37 +169,9 @@ void read_materials(const field& from, const std::vector<std::pair<std::string, 
     if (!found) {
       std::vector<std::string> names;
       std::ranges::transform(materials, std::back_inserter(names), &material::name);
-      from.fail(fmt::format("has '{}', which the mesh has not, expected *, {}", shown(name),
-                            fmt::join(names, ", ")));
+      from.fail_at_member(name, fmt::format("has '{}', which the mesh has not, expected *, {}", shown(name),
+                                            fmt::join(names, ", ")));
     }
-  }
-}
-
-json parsed(const std::string& path, const std::string& text) {
-  std::vector<std::set<std::string>> keys;  // of the objects that are open
-  const auto watch = [&](int, json::parse_event_t event, json& value) {
-    if (event == json::parse_event_t::object_start) keys.emplace_back();
-    if (event == json::parse_event_t::object_end) keys.pop_back();
-    if (event == json::parse_event_t::key && !keys.back().insert(value.get<std::string>()).second)
-      throw file_error(
-          path, 0,
-          fmt::format("has '{}' twice in one object, expected it once", shown(value.get<std::string>())));
-    return true;
-  };
-  try {
-    return json::parse(text, watch);
-  } catch (const json::parse_error& error) {
-    const std::string_view before = std::string_view(text).substr(0, error.byte - (error.byte > 0 ? 1 : 0));
-    const auto line = static_cast<std::size_t>(1 + std::ranges::count(before, '\n'));
-    const std::size_t column = before.size() - (before.rfind('\n') + 1) + 1;
-    const std::string_view rest = std::string_view(text).substr(before.size());
-    throw file_error(
-        path, line,
-        fmt::format("is no JSON here, expected a scene as docs/scenes.md has it; column {} has {}", column,
-                    rest.empty() ? "the end of the file"
-                                 : fmt::format("'{}'", shown(rest.substr(0, rest.find_first_of("\r\n"))))));
-  } catch (const json::out_of_range&) {
-    throw file_error(path, 0, "has a number beyond 1.8e308, expected a scene as docs/scenes.md has it");
   }
 }
 
@@ -195,17 +184,27 @@ std::string text_of_size(const field& from) {
 
 }  // namespace
 
-void check_camera(const std::string& where, const camera& view) {
+namespace {
+
+/// What keeps the camera from seeing anything; nothing if it sees.
+std::string blindness_of(const camera& view) {
   const vec forward = golden::normalised(view.target - view.eye);
   const vec right = cross(forward, golden::normalised(view.up));
-  const auto fail = [&](const char* what) { throw usage_error(where + ": " + what); };
-  if (golden::dot(forward, forward) == 0) fail("eye and target are one place, expected two");
-  if (golden::dot(right, right) < 1e-24) fail("up points where the camera looks, expected another direction");
+  if (golden::dot(forward, forward) == 0) return "eye and target are one place, expected two";
+  if (golden::dot(right, right) < 1e-24)
+    return "up points where the camera looks, expected another direction";
+  return {};
+}
+
+}  // namespace
+
+void check_camera(const std::string& where, const camera& view) {
+  if (const std::string why = blindness_of(view); !why.empty()) throw usage_error(where + ": " + why);
 }
 
 read_world read_scene_file(const std::string& path, const std::string& text, int density) {
-  const json root = parsed(path, text);
-  const field all(path, root, "");
+  const json_document read_text = parse_document(path, text);
+  const field all(path, read_text);
   const auto members =
       all.members({"mesh", "density", "materials", "lights", "ambient", "background", "camera", "size",
                    "shading", "perspective", "device", "format", "engine", "normalisation"});
@@ -240,12 +239,12 @@ read_world read_scene_file(const std::string& path, const std::string& text, int
     } else if (key == "camera") {
       made.view = fitted_camera(made.surface);
       read_camera(value, *made.view);
-      check_camera(path + ": camera", *made.view);
+      if (const std::string why = blindness_of(*made.view); !why.empty()) value.fail(why);
     } else if (key == "size") {
-      read.options[key] = text_of_size(value);
+      read.options[key] = {text_of_size(value), value.line()};
     } else if (key == "shading" || key == "perspective" || key == "device" || key == "format" ||
                key == "engine" || key == "normalisation") {
-      read.options[key] = value.text();
+      read.options[key] = {value.text(), value.line()};
     }
   }
   return read;

@@ -167,22 +167,22 @@ TEST_CASE("no result replaces a file that was read, nor a frame another result",
   CHECK(run.err.find("a-0002.png: is given by --report and --output") != std::string::npos);
 }
 
-TEST_CASE("what a scene file has wrong is said with the file", "[cli][render]") {
+TEST_CASE("what a scene file has wrong is said with file and line", "[cli][render]") {
   const scratch folder;
   for (const auto& [member, words] : std::vector<std::pair<std::string, std::string>>{
-           {"\"shading\": \"Phong\"", "s.JSON: shading: shading Phong does not exist"},
-           {"\"engine\": \"x\"", "s.JSON: engine: "},
-           {"\"device\": \"x\"", "s.JSON: device: "},
-           {"\"format\": \"q9\"", "s.JSON: format: "},
-           {"\"normalisation\": \"x\"", "s.JSON: normalisation: "},
-           {"\"perspective\": \"x\"", "s.JSON: perspective: "}}) {
-    folder.write("s.JSON", "{\"mesh\": \"sphere\", " + member + "}");
+           {"\"shading\": \"Phong\"", "s.JSON:2: shading: shading Phong does not exist"},
+           {"\"engine\": \"x\"", "s.JSON:2: engine: "},
+           {"\"device\": \"x\"", "s.JSON:2: device: "},
+           {"\"format\": \"q9\"", "s.JSON:2: format: "},
+           {"\"normalisation\": \"x\"", "s.JSON:2: normalisation: "},
+           {"\"perspective\": \"x\"", "s.JSON:2: perspective: "}}) {
+    folder.write("s.JSON", "{\"mesh\": \"sphere\",\n" + member + "}");
     refuses(folder, in(folder, "s.JSON"), words);
   }
   folder.write("s.JSON", "{\"mesh\": \"s.JSON\"}");
-  refuses(folder, in(folder, "s.JSON"), "s.JSON: mesh: is a scene, expected a mesh");
+  refuses(folder, in(folder, "s.JSON"), "s.JSON:1: mesh: is a scene, expected a mesh");
   folder.write("s.JSON", "{\"mesh\": \"\"}");
-  refuses(folder, in(folder, "s.JSON"), "s.JSON: mesh: is empty");
+  refuses(folder, in(folder, "s.JSON"), "s.JSON:1: mesh: is empty");
   // A name before * in the alphabet keeps what is said of it.
   folder.write("m.mtl", "newmtl #a\nKd 1 0 0\nKs 1 1 1\n");
   folder.write("m.obj", "mtllib m.mtl\n" + kTriangle + "usemtl #a\nf 1 2 3\n");
@@ -640,40 +640,46 @@ TEST_CASE("a bad scene is one line that names file and line", "[cli][render]") {
   refuses_text("a.json", "{\n\"mesh\": \"sphere\",\n}",
                ":3: is no JSON here, expected a scene as docs/scenes.md has it; column 1 has '}'");
   refuses_text("a.json", R"({"mesh": "sphere", "mesh": "torus"})",
-               ": has 'mesh' twice in one object, expected it once");
+               ":1: has 'mesh' twice in one object, expected it once");
   refuses_text("a.json", R"({"mesh": "sphere", "lights": [{"position": [1, 1, 1], "position": [2, 2, 2]}]})",
-               ": has 'position' twice in one object, expected it once");
+               ":1: has 'position' twice in one object, expected it once");
   // Deeper than any stack.
   refuses_text(
       "a.json",
       R"({"mesh": "sphere", "density": )" + std::string(200'000, '[') + std::string(200'000, ']') + "}",
-      ": density: is an array, expected a number in [2, ");
+      ":1: density: is an array, expected a number in [2, ");
   refuses_text("a.json", R"({"mesh": "sphere", ")" + std::string(100'000, 'x') + "\": 1}",
-               ": the file: has '" + std::string(40, 'x') + "...', expected mesh");
+               ":1: the file: has '" + std::string(40, 'x') + "...', expected mesh");
   refuses_text("a.json", R"({"mesh": "sphere", "density": ")" + std::string(100'000, 'x') + "\"}",
-               ": density: is \"" + std::string(39, 'x') + "..., expected a number in [2, ");
+               ":1: density: is \"" + std::string(39, 'x') + "..., expected a number in [2, ");
   refuses_text("a.json", R"({"mesh": "sphere", "density": 1})",
-               ": density: is 1, expected a number in [2, 1000]");
-  refuses_text("a.json", R"({"mesh": 1e999})", ": has a number beyond 1.8e308, expected a scene");
+               ":1: density: is 1, expected a number in [2, 1000]");
+  refuses_text("a.json", R"({"mesh": 1e999})", ":1: has a number beyond 1.8e308, expected a scene");
+  refuses_text("a.json", "{\n\"mesh\": \"sphere\",\n\"ambient\": [0,\n0,\n2\n]}",
+               ":5: ambient[2]: is 2, expected a number in [0, 1]");
+  refuses_text("a.json", "{\"mesh\": \"sphere\",\n\"lights\": [{\"direction\": [1, 1, 1]},\n{\"color\": 1}]}",
+               ":3: lights[1]: has 'color', expected direction, position, colour");
+  refuses_text("a.json", "{\"mesh\": \"sphere\",\n\"materials\": {\"*\": {\"n\":\n1.5}}}",
+               ":2: materials.*.n: is 1.5, expected an integer");
   refuses_text("a.json", "[]", ": the file: is array, expected an object");
   refuses_text("a.json", R"({"lights": []})", ": the file: has no mesh, expected its name");
   refuses_text("a.json", R"({"mesh": "sphere", "lamps": []})",
-               ": the file: has 'lamps', expected mesh, density");
+               ":1: the file: has 'lamps', expected mesh, density");
   refuses_text("a.json", R"({"mesh": "sphere", "lights": [{}]})",
-               ": lights[0]: has neither direction nor position");
+               ":1: lights[0]: has neither direction nor position");
   refuses_text("a.json", R"({"mesh": "sphere", "lights": [{"direction": [0, 0, 0]}]})",
-               ": lights[0].direction: is zero, expected a direction");
+               ":1: lights[0].direction: is zero, expected a direction");
   refuses_text("a.json", R"({"mesh": "sphere", "ambient": [0, 0, 2]})",
-               ": ambient[2]: is 2, expected a number in [0, 1]");
+               ":1: ambient[2]: is 2, expected a number in [0, 1]");
   refuses_text("a.json", R"({"mesh": "sphere", "materials": {"x": {}}})",
-               ": materials: has 'x', expected *, plain");
+               ":1: materials: has 'x', expected *, plain");
   refuses_text("a.json", R"({"mesh": "sphere", "materials": {"*": {"n": 1.5}}})",
-               ": materials.*.n: is 1.5, expected an integer");
-  refuses_text("a.json", R"({"mesh": "a.json"})", ": mesh: is a scene, expected a mesh");
+               ":1: materials.*.n: is 1.5, expected an integer");
+  refuses_text("a.json", R"({"mesh": "a.json"})", ":1: mesh: is a scene, expected a mesh");
   refuses_text("a.json", R"({"mesh": "sphere", "camera": {"eye": [0, 0, 0], "target": [0, 0, 0]}})",
-               ": camera: eye and target are one place, expected two");
-  refuses_text("a.json", R"({"mesh": "sphere\u0000.obj"})", ": mesh: holds a zero byte, expected text");
-  refuses_text("a.json", R"({"x\u0000y": 1})", R"(: the file: has 'x\x00y', expected mesh)");
+               ":1: camera: eye and target are one place, expected two");
+  refuses_text("a.json", R"({"mesh": "sphere\u0000.obj"})", ":1: mesh: holds a zero byte, expected text");
+  refuses_text("a.json", R"({"x\u0000y": 1})", R"(:1: the file: has 'x\x00y', expected mesh)");
   folder.write("a.json", R"({"mesh": ")" + std::string(300, 'x') + "\"}");
   refuses(folder, in(folder, "a.json"),
           "...: cannot be read (File name too long), expected a shape or a file");
@@ -687,7 +693,7 @@ TEST_CASE("a bad scene is one line that names file and line", "[cli][render]") {
   folder.write("c.obj", kTriangle + "f 1 2 3\n");
   refuses(folder, in(folder, "c.obj") + " --density 9",
           "c.obj: is a mesh from a file, expected --density with a built-in shape only");
-  refuses_text("a.json", R"({"mesh": "c.obj", "density": 9})", ": density: is of a built-in shape");
+  refuses_text("a.json", R"({"mesh": "c.obj", "density": 9})", ":1: density: is of a built-in shape");
 }
 
 TEST_CASE("two results do not go into one standard output", "[cli][render]") {
