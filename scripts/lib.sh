@@ -16,6 +16,9 @@ say() {
 }
 die() { say "$@"; exit 1; }
 
+# bad_input WHAT: of a file that a user named.
+bad_input() { say "$@"; exit 2; }
+
 # take_help "$@": where --help or -h is among the script's arguments, shows its help() and ends it.
 take_help() {
   local word

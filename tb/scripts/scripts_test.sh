@@ -60,7 +60,12 @@ END
       exits 2 "tree/scripts/$script" a b c d e
       [ "$(wc -l <error)" = 1 ] || fail "$script with five arguments: $(cat error)"
     done
-    exits 1 tree/scripts/gtkwave-screenshot $'a\e[2J\nb\xE9' b c
+    exits 2 tree/scripts/wave nosuch.vcd
+    one_line 'there is no file nosuch.vcd, expected a waveform'
+    echo 'n,cos' >table.csv
+    exits 2 tree/scripts/wave table.csv
+    one_line 'table.csv declares no signals, expected a waveform'
+    exits 2 tree/scripts/gtkwave-screenshot $'a\e[2J\nb\xE9' b c
     one_line 'cannot read'
     [ "$(tr -d '\n' <error | tr -dc '\000-\037\177-\377' | wc -c)" = 0 ] || fail "not printable: $(cat -v error)"
 
@@ -183,7 +188,7 @@ head -c 20000 /dev/zero >"$PICTURE"
 END
     layouts=(tree/vcd/*.gtkw)
     printf '%s\n' ' $scope module TOP $end' '  $var wire 1 # clk $end' ' $upscope $end' '$enddefinitions $end' >waves.vcd
-    exits 1 tree/scripts/gtkwave-screenshot waves.vcd "${layouts[0]}" picture.png
+    exits 2 tree/scripts/gtkwave-screenshot waves.vcd "${layouts[0]}" picture.png
     [[ $(tail -n 1 error) == *'shows no signal of waves.vcd' ]] || fail "no reason: $(cat error)"
     [ ! -e picture.png ] || fail 'a picture was made'
     sed -i 's/TOP/SystemC/' waves.vcd
