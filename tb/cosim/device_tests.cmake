@@ -475,7 +475,7 @@ function(blysk_mutants name device format count)
   set(folder ${CMAKE_CURRENT_BINARY_DIR}/${name})
   set(script ${CMAKE_CURRENT_SOURCE_DIR}/mutants.sh)
   blysk_verilog_of(${device} ${format})
-  add_custom_command(OUTPUT ${folder}/list.ys ${folder}/control.txt ${folder}/device.il
+  add_custom_command(OUTPUT ${folder}/list.ys ${folder}/control.txt ${folder}/protocol.txt ${folder}/device.il
                      COMMAND ${script} list ${folder} ${verilog_folder} ${count}
                      DEPENDS ${verilog_files} ${script} VERBATIM)
   add_executable(${name} EXCLUDE_FROM_ALL)

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # mutants.sh list FOLDER VERILOG_FOLDER COUNT: chooses COUNT single faults of the exported device. FOLDER/list.ys has them,
-#   device.il the flat device, control.txt the cells that registers' enables and resets come from.
+#   device.il the flat device, control.txt the cells that registers' enables and resets come from, protocol.txt those that
+#   valid_o and ready_o depend on.
 # mutants.sh module FOLDER FIRST LAST: of those the mutants FIRST..LAST as one module, FOLDER/mutants_LAST.v, with the
 #   input `mutant` that selects one.
 # mutants.sh prove FOLDER NUMBER [STATES FRACTION [STEPS]]: exit 0 if that mutant is proved to be the device: from every state
@@ -10,7 +11,7 @@
 #   if both give the same outputs in all cycles from a reset on, by induction over so many cycles.
 set -euo pipefail
 self=$(readlink -f "${BASH_SOURCE[0]}")
-usage() { sed -n '3,10s/^# //p' "$self" >&2 && exit 2; }
+usage() { sed -n '3,11s/^# //p' "$self" >&2 && exit 2; }
 if [ $# -lt 3 ]; then usage; fi
 action=$1 folder=$2
 mkdir -p "$folder"
@@ -25,6 +26,7 @@ case $action in
       hierarchy -top blysk_$(basename "$verilog")
       proc; flatten; memory -nordff; opt -full; clean
       select -set registers t:\$dff t:\$dffe t:\$sdff t:\$sdffe t:\$sdffce %u %u %u %u
+      select -write protocol.txt o:valid_o o:ready_o %u %ci* t:* %i
       select -write control.txt @registers %ci:+[EN]:+[SRST] @registers %d %cie* t:* %i
       mutate -list $count -seed 1 -ctrl mutant 16 1 -o list.ys
       rename -top mutants

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // mutation DEVICE FORMAT FOLDER [--rows ROWS.csv] [--prove SCRIPT] [--states STATES] [--reasons REASONS] [--output TABLE.md]: does
-// the regression kill the single-fault mutants of the exported device? FOLDER has what mutants.sh wrote: list.ys, the faults, and
-// control.txt, the cells of the registers' enables and resets. Exit 1 if one lives that is not shown to be equivalent. Built
+// the regression kill the single-fault mutants of the exported device? FOLDER has what mutants.sh wrote: list.ys, the faults;
+// control.txt, the cells of the registers' enables and resets; protocol.txt, those that valid_o and ready_o depend on. Exit 1 if one lives that is not shown to be equivalent. Built
 // once for each device and format, with the modules of the mutants.
 #include <fmt/format.h>
 
@@ -13,6 +13,7 @@
 #include <set>
 #include <utility>
 
+#include "tb/cosim/inner_results.h"
 #include "tb/cosim/mutants.h"
 #include "tb/cosim/regression.h"
 #include "tb/cosim/rows_file.h"
@@ -41,14 +42,15 @@ std::vector<std::string> lines_of(const std::string& path) {
   return result;
 }
 
-/// Names of the cells that decide when registers load: "MODULE/CELL" a line.
-std::set<std::string> control_cells(const std::string& path) {
+/// Names of cells, "MODULE/CELL" a line.
+std::set<std::string> cells_of(const std::string& path) {
   std::set<std::string> result;
   for (const std::string& line : lines_of(path)) result.insert(line.substr(line.find('/') + 1));
   return result;
 }
 
-mutation parse(const std::string& line, const std::set<std::string>& control) {
+mutation parse(const std::string& line, const std::set<std::string>& control,
+               const std::set<std::string>& protocol) {
   static const std::regex cell(
       R"(-mode (\w+) .*-cell (\S+) -port (\w+) -portbit (\d+)(?: -ctrlbit (\d+))?(?:.* -wire (\S+) -wirebit (\d+))?)");
   static const std::regex instance(R"(\$flatten\\(\w+)\.)");
@@ -68,35 +70,26 @@ mutation parse(const std::string& line, const std::set<std::string>& control) {
   const bool is_control = control.contains(name);
   const bool is_wide =
       found[4] != "0" || (!controlling_bit.empty() && controlling_bit != "0");  // no strobe's register
-  const bool is_data = (port == "D" && is_wide) || (port == "Q" && wire.ends_with(".q_o"));
+  const bool is_in_pipe = wire.find(".held_") != std::string::npos;
+  const bool is_data = (port == "D" && is_wide) || (port == "Q" && (wire.ends_with(".q_o") || is_in_pipe));
   return {std::regex_search(name, block, instance) ? block[1].str() : "made by opt",
-          wire.empty() ? port : port + ", wire " + wire, what, (is_logic && !is_control) || is_data};
+          wire.empty() ? port : port + ", wire " + wire, what, (is_logic && !is_control) || is_data,
+          protocol.contains(name)};
 }
 
-struct vectors {
-  columns in;
-  columns expected;
-};
-
 /// What the registers can hold, and what is tried of it. A mutant that passes is equivalent if its outputs are still a
-/// function of what was written last, and if the device is of this kind: it has one inner result, which depends on the
-/// enumerated ports alone, and every result depends on that and on one other data port. With those ports at their largest
-/// codes the results tell all inner results apart, which is checked. So all codes of the enumerated ports there cover the
-/// path to the inner result, and then all codes of the others at every inner result that occurs cover the rest.
+/// function of what was written last, and if the device is of the kind of inner_results.
 class strobe_regression final : public regression {
  public:
   explicit strobe_regression(const selection& asked)
-      : asked_(asked),
-        data_(of_role(asked.of().ports(asked), port::role::data)),
-        model_(asked.of().make_bit(asked)) {
-    find_columns();
+      : asked_(asked), data_(of_role(asked.of().ports(asked), port::role::data)), reached_(asked) {
     for (const auto& make : mutants_table()) modules_.push_back(make());
-    for_random_inputs(asked_, 20'000, 1, [&](const columns& in) { random_.push_back(with_results(in)); });
+    for_random_inputs(asked_, 20'000, 1,
+                      [&](const columns& in) { random_.push_back(reached_.with_results(in)); });
     module_ = modules_.front().get();
     module_->select(0);
-    find_inner_results();
     prepare_reset_codes();
-    prepare_others();
+    reached_.for_others([&](const columns& in) { others_.push_back(reached_.with_results(in)); });
     play([&](std::span<const std::int64_t> levels) {
       strobes_.insert(strobes_.end(), levels.begin(), levels.end());
       return true;
@@ -117,31 +110,10 @@ class strobe_regression final : public regression {
   }
 
  private:
-  void find_columns() {
-    const std::vector<port> results = of_role(asked_.of().ports(asked_), port::role::result);
-    std::vector<std::size_t> inner;
-    for (std::size_t i = 0; i < results.size(); ++i) (results[i].is_inner ? inner : outer_).push_back(i);
-    if (inner.size() != 1 || outer_.empty())
-      throw std::invalid_argument(asked_.text() +
-                                  " cannot be tried, expected a device with one inner result");
-    inner_ = inner.front();
-  }
-
-  vectors with_results(const columns& in) {
-    vectors result{in, {}};
-    model_->run(in, result.expected);
-    return result;
-  }
-
-  std::vector<std::int64_t> outer_results(const columns& out, std::size_t row) const {
-    std::vector<std::int64_t> codes;
-    for (const std::size_t each : outer_) codes.push_back(out[each].get(row));
-    return codes;
-  }
-
   bool differs(const vectors& each) {
     module_->run(each.in, got_);
-    return std::ranges::any_of(outer_, [&](std::size_t i) { return !(got_[i] == each.expected[i]); });
+    return std::ranges::any_of(reached_.outer(),
+                               [&](std::size_t i) { return !(got_[i] == each.expected[i]); });
   }
 
   bool killed_by_strobes() {
@@ -162,34 +134,9 @@ class strobe_regression final : public regression {
   bool killed_by_all_inputs() {
     bool killed = std::ranges::any_of(reset_codes_, [&](const vectors& each) { return differs(each); });
     for_all_inputs(asked_, [&](const columns& in) {
-      if (!killed) killed = differs(with_results(at_largest(in)));
+      if (!killed) killed = differs(reached_.with_results(reached_.at_largest(in)));
     });
     return killed || std::ranges::any_of(others_, [&](const vectors& each) { return differs(each); });
-  }
-
-  /// The same writes, the ports that are not enumerated at their largest codes.
-  columns at_largest(columns in) const {
-    for (std::size_t i = asked_.of().enumerated(); i < data_.size(); ++i) {
-      for (std::size_t row = 0; row < in.size(); ++row) in[i].set(row, data_[i].carries->max);
-    }
-    return in;
-  }
-
-  /// An input for each inner result that occurs, and what the results are there.
-  void find_inner_results() {
-    for_all_inputs(asked_, [&](const columns& in) {
-      const vectors all = with_results(at_largest(in));
-      for (std::size_t row = 0; row < in.size(); ++row) {
-        const std::int64_t inner = all.expected[inner_].get(row);
-        if (inputs_.contains(inner)) continue;
-        std::vector<std::int64_t> codes;
-        for (const column& each : in) codes.push_back(each.get(row));
-        inputs_[inner] = codes;
-        if (!seen_.insert(outer_results(all.expected, row)).second)
-          throw std::runtime_error(
-              "two inner results give the same results, expected the largest codes to tell them apart");
-      }
-    });
   }
 
   // Registers hold 0 after a reset, which may be no legal code. The model is for legal ones, so the device without a fault
@@ -211,10 +158,10 @@ class strobe_regression final : public regression {
 
   void try_codes(const std::vector<std::pair<std::int64_t, std::int64_t>>& ranges) {
     batcher writes(asked_, [&](const columns& in) {
-      vectors tried{at_largest(in), {}};
+      vectors tried{reached_.at_largest(in), {}};
       module_->run(tried.in, tried.expected);
       for (std::size_t row = 0; row < in.size(); ++row) {
-        if (!seen_.contains(outer_results(tried.expected, row)))
+        if (!reached_.occurs(reached_.outer_results(tried.expected, row)))
           throw std::runtime_error(
               "the reset value gives an inner result that no legal code gives, expected one of those");
       }
@@ -236,43 +183,11 @@ class strobe_regression final : public regression {
     writes.flush();
   }
 
-  // Every code of the other ports, all at the same distance from their smallest, at every inner result.
-  void prepare_others() {
-    constexpr std::size_t kBatch = 4096;
-    const std::size_t enumerated = asked_.of().enumerated();
-    std::int64_t most = 1;
-    for (std::size_t i = enumerated; i < data_.size(); ++i)
-      most = std::max(most, data_[i].carries->max - data_[i].carries->min + 1);
-    columns in(data_, port::role::data);
-    in.resize(kBatch);
-    std::size_t row = 0;
-    const auto flush = [&] {
-      in.resize(row);
-      if (row > 0) others_.push_back(with_results(in));
-      in.resize(kBatch);
-      row = 0;
-    };
-    for (const auto& [inner, codes] : inputs_) {
-      for (std::int64_t step = 0; step < most; ++step) {
-        for (std::size_t i = 0; i < data_.size(); ++i) {
-          const wire_format& format = *data_[i].carries;
-          in[i].set(row, i < enumerated ? codes[i] : format.min + step % (format.max - format.min + 1));
-        }
-        if (++row == kBatch) flush();
-      }
-    }
-    flush();
-  }
-
   const selection& asked_;
   std::vector<port> data_;
-  std::unique_ptr<engine> model_;
-  std::size_t inner_ = 0;           // column of the inner result
-  std::vector<std::size_t> outer_;  // columns of the others
+  inner_results reached_;
   std::vector<std::unique_ptr<mutants>> modules_;
-  mutants* module_ = nullptr;                                 // the one with the mutant that runs
-  std::map<std::int64_t, std::vector<std::int64_t>> inputs_;  // of every inner result
-  std::set<std::vector<std::int64_t>> seen_;                  // the results they give at the largest codes
+  mutants* module_ = nullptr;  // the one with the mutant that runs
   std::vector<vectors> random_, reset_codes_, others_;
   std::vector<std::int64_t> strobes_;  // levels after every edge
   columns got_;
@@ -320,9 +235,13 @@ std::unique_ptr<regression> make_regression(const selection& asked, const std::s
 
 int run(const selection& asked, const std::string& folder, const std::string& rows,
         const arguments_for_equivalence& with, const std::string& table) {
-  const std::set<std::string> control = control_cells(folder + "/control.txt");
+  const std::set<std::string> control = cells_of(folder + "/control.txt");
+  std::set<std::string> protocol;
+  if (protocol_of(asked.of().ports(asked)) == blysk::protocol::handshake)
+    protocol = cells_of(folder + "/protocol.txt");
   std::vector<mutation> mutations;
-  for (const std::string& line : lines_of(folder + "/list.ys")) mutations.push_back(parse(line, control));
+  for (const std::string& line : lines_of(folder + "/list.ys"))
+    mutations.push_back(parse(line, control, protocol));
 
   if (mutations.size() != 100 * mutants_table().size())
     throw std::runtime_error(fmt::format("{}/list.ys has {} mutants, expected {}", folder, mutations.size(),
@@ -385,7 +304,7 @@ int main(int argc, char** argv) {
       argc, argv, "Tries the single-fault mutants of an exported device on the regression",
       [&](CLI::App& program) {
         arguments.add_to(program);
-        program.add_option("FOLDER", folder, "of list.ys and control.txt")->required();
+        program.add_option("FOLDER", folder, "of list.ys, control.txt and protocol.txt")->required();
         program.add_option("--rows", rows, "further rows of the regression, raw codes in CSV")
             ->check(CLI::ExistingFile);
         program.add_option("--prove", with.script, "mutants.sh, which proves that survivors are equivalent");

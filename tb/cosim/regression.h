@@ -20,6 +20,7 @@ struct mutation {
   // The outputs remain a function of what was written last: the fault sits at a cell of the datapath, or at the input or
   // the output of a data register.
   bool is_datapath;
+  bool is_protocol;  // at a cell that valid_o or ready_o depend on
 };
 
 /// What the tests of a device do to its mutants.

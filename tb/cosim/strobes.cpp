@@ -32,10 +32,11 @@ strobe_sequence::strobe_sequence(const selection& asked, codes which) : ports_(a
 void strobe_sequence::next(std::span<std::int64_t> levels) {
   if (cycle_ % 16 == 0) {
     pattern_ = static_cast<pattern>(random_() % 4);
-    unwritten_ = cycle_ % (8 * 16) == 0 ? random_() % (channels_.size() + 1) : 0;
+    unwritten_ = cycle_ % kResetEvery == 0 ? random_() % (channels_.size() + 1) : 0;
   }
+  const std::uint64_t reset_cycles = cycle_ / kResetEvery % 2 == 0 ? 2 : 1;
   for (std::size_t i = 0; i < ports_.size(); ++i) {
-    if (ports_[i].is == port::role::reset) levels[i] = cycle_ % (8 * 16) >= 2 ? 1 : 0;
+    if (ports_[i].is == port::role::reset) levels[i] = cycle_ % kResetEvery >= reset_cycles ? 1 : 0;
     if (ports_[i].is == port::role::control || ports_[i].is == port::role::start) levels[i] = bit() ? 1 : 0;
   }
   for (const channel& each : channels_) levels[each.data] = code(each);

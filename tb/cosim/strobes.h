@@ -24,8 +24,8 @@ class strobe_sequence {
 
   const std::vector<port>& ports() const { return ports_; }
 
-  /// Sequences of 16 cycles keep to one pattern; every eighth starts with a reset, in whatever the registers do, and
-  /// leaves one register unwritten or none, so that its reset value is seen. Data without a strobe, start and other
+  /// Sequences of 16 cycles keep to one pattern; every eighth starts with a reset of two cycles or one, in whatever the registers do,
+  /// and leaves one register unwritten or none, so that its reset value is seen. Data without a strobe, start and other
   /// controls change in every cycle.
   /// \param levels  of all ports in the device's order; the inputs but the clock are set
   void next(std::span<std::int64_t> levels);
@@ -45,6 +45,8 @@ class strobe_sequence {
 
   std::int64_t code(const channel& of);
   bool bit() { return (random_() & 1) != 0; }
+
+  static constexpr std::uint64_t kResetEvery = 8 * 16;
 
   std::vector<port> ports_;
   std::vector<channel> channels_;

@@ -6,7 +6,7 @@ set(protocol handshake)      # start, ready and valid
 set(exhaustive q8 q10 q12)
 set(beside q8)
 set(covered "")
-set(mutated "")
+set(mutated q8)
 set(simulated 300000)        # rows of each variant that are tried in SystemC
 # What the proof of composed.v has to notice.
 set(composition_faults changed_unity "s/17'd65536 - a_i/17'd65535 - a_i/"

@@ -6,7 +6,7 @@ set(protocol handshake)      # start, ready and valid
 set(exhaustive q8 q10 q12)
 set(beside q8)
 set(covered q8)
-set(mutated "")
+set(mutated q8)
 set(simulated 100000)        # rows of each variant that are tried in SystemC
 # What the proof of composed.v has to notice.
 set(composition_faults changed_digit "s/selected2.8:7. == 2'd0/selected2[8:7] == 2'd1/"
