@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// mutation DEVICE FORMAT FOLDER [--rows ROWS.csv] [--prove SCRIPT] [--states STATES] [--reasons REASONS] [--output TABLE.md]: does
-// the regression kill the single-fault mutants of the exported device? FOLDER has what mutants.sh wrote: list.ys, the faults;
-// control.txt, the cells of the registers' enables and resets; protocol.txt, those that valid_o and ready_o depend on. Exit 1 if one lives that is not shown to be equivalent. Built
-// once for each device and format, with the modules of the mutants.
+// mutation DEVICE FORMAT FOLDER [--rows ROWS.csv] [--prove SCRIPT] [--states STATES] [--reasons REASONS] [--output TABLE.md]:
+// does the regression kill the single-fault mutants of the exported device? FOLDER has what mutants.sh wrote: list.ys, the
+// faults; control.txt, the cells of the registers' enables and resets; protocol.txt, those that valid_o and ready_o depend
+// on. Exit 1 if one lives that is not shown to be equivalent. Built once for each device and format, with the modules of the
+// mutants.
 #include <fmt/format.h>
 
 #include <algorithm>

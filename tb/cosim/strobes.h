@@ -24,9 +24,9 @@ class strobe_sequence {
 
   const std::vector<port>& ports() const { return ports_; }
 
-  /// Sequences of 16 cycles keep to one pattern; every eighth starts with a reset of two cycles or one, in whatever the registers do,
-  /// and leaves one register unwritten or none, so that its reset value is seen. Data without a strobe, start and other
-  /// controls change in every cycle.
+  /// Sequences of 16 cycles keep to one pattern; every eighth starts with a reset of two cycles or one, in whatever the
+  /// registers do, and leaves one register unwritten or none, so that its reset value is seen. Data without a strobe, start
+  /// and other controls change in every cycle.
   /// \param levels  of all ports in the device's order; the inputs but the clock are set
   void next(std::span<std::int64_t> levels);
 
