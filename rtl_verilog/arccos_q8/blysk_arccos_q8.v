@@ -3,7 +3,11 @@
 // What blysk knows of it, and the digest of its modules without this comment:
 //   computes: the angle of a cosine, by a square root and a table
 //   digest: sha256:f4ade110c8cd4243b4765b2aeb34b341347b104623dc8e41faa266aa2a5dd2c0
-//   not known with these options: errors, certificate, iCE40, iCE40 with DSP, iCE40 HX8K, OSU018, settling
+//   iCE40: 733 LUT, 79 carry, 76 FF, 0 DSP, 0 RAM bits; Yosys 0.23 (git sha1 7ce5011c24b)
+//   iCE40 with DSP: 187 LUT, 53 carry, 76 FF, 2 DSP, 0 RAM bits; Yosys 0.23 (git sha1 7ce5011c24b)
+//   iCE40 HX8K: 44.76 MHz, the least of 5 seeds; nextpnr-ice40 -- Next Generation Place and Route (Version 0.4-1+b1), Yosys 0.23 (git sha1 7ce5011c24b)
+//   OSU018: 2246.8 NAND2, 1998 cells, longest path 7.837 ns; OpenSTA 2.0.17, Yosys 0.23 (git sha1 7ce5011c24b)
+//   not known with these options: errors, certificate, settling
 `default_nettype none
 
 module blysk_arccos_q8 (

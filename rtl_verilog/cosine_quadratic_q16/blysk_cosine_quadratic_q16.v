@@ -6,7 +6,11 @@
 //   error against c^n, every code of the cosine: at most 0.111115 (n = 1, c = 0), bias -1.85223e-05; 65537000 inputs, n in 1..1000, exhaustive
 //   error against c^n, pixels of a lit sphere, 512 x 512: at most 0.100967 (n = 1, c = 0.018539761437612663), bias 3.83624e-05; 146779000 inputs, n in 1..1000, exhaustive
 //   certificate: BRDF within 1.31926e-05 of what it computes in real numbers, proved by Gappa 1.4.1; at most 1.2348509497217552e-05 seen, 65537000 inputs, exhaustive
-//   not known with these options: iCE40, iCE40 with DSP, iCE40 HX8K, OSU018, settling
+//   iCE40: 3150 LUT, 177 carry, 52 FF, 0 DSP, 28672 RAM bits; Yosys 0.23 (git sha1 7ce5011c24b)
+//   iCE40 with DSP: 325 LUT, 192 carry, 52 FF, 8 DSP, 28672 RAM bits; Yosys 0.23 (git sha1 7ce5011c24b)
+//   iCE40 HX8K: 18.41 MHz, the least of 5 seeds; nextpnr-ice40 -- Next Generation Place and Route (Version 0.4-1+b1), Yosys 0.23 (git sha1 7ce5011c24b)
+//   OSU018: 8845.6 NAND2, 8586 cells, longest path 18.795 ns; OpenSTA 2.0.17, Yosys 0.23 (git sha1 7ce5011c24b)
+//   not known with these options: settling
 `default_nettype none
 
 module blysk_cosine_quadratic_q16 (

@@ -3,7 +3,11 @@
 // What blysk knows of it, and the digest of its modules without this comment:
 //   computes: a scan line between two colours, its increments by shifts
 //   digest: sha256:3fc8fbb8cd87296d41e25ffc912d330264d61711c4ab9ef0122f502a69325e9c
-//   not known with these options: errors, certificate, iCE40, iCE40 with DSP, iCE40 HX8K, OSU018, settling
+//   iCE40: 427 LUT, 191 carry, 182 FF, 0 DSP, 0 RAM bits; Yosys 0.23 (git sha1 7ce5011c24b)
+//   iCE40 with DSP: 428 LUT, 191 carry, 182 FF, 0 DSP, 0 RAM bits; Yosys 0.23 (git sha1 7ce5011c24b)
+//   iCE40 HX8K: 112.02 MHz, the least of 5 seeds; nextpnr-ice40 -- Next Generation Place and Route (Version 0.4-1+b1), Yosys 0.23 (git sha1 7ce5011c24b)
+//   OSU018: 2591.4 NAND2, 1910 cells, longest path 3.649 ns; OpenSTA 2.0.17, Yosys 0.23 (git sha1 7ce5011c24b)
+//   not known with these options: errors, certificate, settling
 `default_nettype none
 
 module blysk_gouraud_q8 (

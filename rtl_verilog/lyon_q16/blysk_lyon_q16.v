@@ -6,7 +6,11 @@
 //   error against c^n, every code of the cosine: at most 0.316406 (n = 1, c = 0), bias -0.000700685; 65537000 inputs, n in 1..1000, exhaustive
 //   error against c^n, pixels of a lit sphere, 512 x 512: at most 0.305755 (n = 1, c = 0.018539761437612663), bias -0.00168157; 146779000 inputs, n in 1..1000, exhaustive
 //   certificate: BRDF within 9.53684e-06 of what it computes in real numbers, proved by Gappa 1.4.1; at most 9.495720561969456e-06 seen, 65537000 inputs, exhaustive
-//   not known with these options: iCE40, iCE40 with DSP, iCE40 HX8K, OSU018, settling
+//   iCE40: 2937 LUT, 173 carry, 52 FF, 0 DSP, 0 RAM bits; Yosys 0.23 (git sha1 7ce5011c24b)
+//   iCE40 with DSP: 255 LUT, 162 carry, 52 FF, 10 DSP, 0 RAM bits; Yosys 0.23 (git sha1 7ce5011c24b)
+//   iCE40 HX8K: 15.31 MHz, the least of 5 seeds; nextpnr-ice40 -- Next Generation Place and Route (Version 0.4-1+b1), Yosys 0.23 (git sha1 7ce5011c24b)
+//   OSU018: 8328.4 NAND2, 8150 cells, longest path 23.181 ns; OpenSTA 2.0.17, Yosys 0.23 (git sha1 7ce5011c24b)
+//   not known with these options: settling
 `default_nettype none
 
 module blysk_lyon_q16 (

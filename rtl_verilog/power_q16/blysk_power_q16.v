@@ -5,7 +5,11 @@
 //   digest: sha256:8cbca8136857404280257229a42fc9fd0fa956473221a411a0be27c6612ddf27
 //   error against c^n, every code of the cosine: at most 1.27468e-05 (n = 933, c = 0.99993896484375), bias -1.29824e-08; 65537000 inputs, n in 1..1000, exhaustive
 //   error against c^n, pixels of a lit sphere, 512 x 512: at most 0.00697416 (n = 1000, c = 0.9999930014352216), bias -2.79807e-07; 146779000 inputs, n in 1..1000, exhaustive
-//   not known with these options: certificate, iCE40, iCE40 with DSP, iCE40 HX8K, OSU018, settling
+//   iCE40: 4096 LUT, 227 carry, 52 FF, 0 DSP, 0 RAM bits; Yosys 0.23 (git sha1 7ce5011c24b)
+//   iCE40 with DSP: 889 LUT, 94 carry, 52 FF, 9 DSP, 0 RAM bits; Yosys 0.23 (git sha1 7ce5011c24b)
+//   iCE40 HX8K: 10.58 MHz, the least of 5 seeds; nextpnr-ice40 -- Next Generation Place and Route (Version 0.4-1+b1), Yosys 0.23 (git sha1 7ce5011c24b)
+//   OSU018: 11066.7 NAND2, 10858 cells, longest path 30.172 ns; OpenSTA 2.0.17, Yosys 0.23 (git sha1 7ce5011c24b)
+//   not known with these options: certificate, settling
 `default_nettype none
 
 module blysk_power_q16 (

@@ -3,7 +3,11 @@
 // What blysk knows of it, and the digest of its modules without this comment:
 //   computes: a scan line of a quadratic polynomial, by forward differences
 //   digest: sha256:a6e8cfa63eb3eb9458129699204c65b8e5b222dc1b2e8996c109ba17ada8e596
-//   not known with these options: errors, certificate, iCE40, iCE40 with DSP, iCE40 HX8K, OSU018, settling
+//   iCE40: 395 LUT, 270 carry, 188 FF, 0 DSP, 0 RAM bits; Yosys 0.23 (git sha1 7ce5011c24b)
+//   iCE40 with DSP: 395 LUT, 270 carry, 188 FF, 0 DSP, 0 RAM bits; Yosys 0.23 (git sha1 7ce5011c24b)
+//   iCE40 HX8K: 93.19 MHz, the least of 5 seeds; nextpnr-ice40 -- Next Generation Place and Route (Version 0.4-1+b1), Yosys 0.23 (git sha1 7ce5011c24b)
+//   OSU018: 2741.9 NAND2, 2066 cells, longest path 5.25 ns; OpenSTA 2.0.17, Yosys 0.23 (git sha1 7ce5011c24b)
+//   not known with these options: errors, certificate, settling
 `default_nettype none
 
 module blysk_quadratic_interpolation_q8 (

@@ -6,8 +6,11 @@
 //   error against c^n, every code of the cosine: at most 0.280155 (n = 969, c = 0.998687744140625), bias -0.00186833; 65537000 inputs, n in 1..1000, exhaustive
 //   error against c^n, pixels of a lit sphere, 512 x 512: at most 0.281937 (n = 926, c = 0.9986336845598192), bias -0.00363547; 146779000 inputs, n in 1..1000, exhaustive
 //   certificate: BRDF within 1.26083e-05 of what it computes in real numbers, proved by Gappa 1.4.1; at most 1.188913569476202e-05 seen, 65537000 inputs, exhaustive
+//   iCE40: 3625 LUT, 179 carry, 52 FF, 0 DSP, 0 RAM bits; Yosys 0.23 (git sha1 7ce5011c24b)
+//   iCE40 with DSP: 215 LUT, 159 carry, 52 FF, 9 DSP, 0 RAM bits; Yosys 0.23 (git sha1 7ce5011c24b)
+//   iCE40 HX8K: 18.91 MHz, the least of 5 seeds; nextpnr-ice40 -- Next Generation Place and Route (Version 0.4-1+b1), Yosys 0.23 (git sha1 7ce5011c24b)
+//   OSU018: 10247 NAND2, 10074 cells, longest path 18.932 ns; OpenSTA 2.0.17, Yosys 0.23 (git sha1 7ce5011c24b)
 //   settles: within 19.677 ns in OSU018 with its blocks apart, 19.677 ns seen in 20000 pairs of writes; OpenSTA 2.0.17, Yosys 0.23 (git sha1 7ce5011c24b)
-//   not known with these options: iCE40, iCE40 with DSP, iCE40 HX8K, OSU018
 `default_nettype none
 
 module blysk_quadratic_q16 (

@@ -6,7 +6,11 @@
 //   error against c^n, every code of the cosine: at most 0.223129 (n = 1, c = 0), bias 0.000148226; 65537000 inputs, n in 1..1000, exhaustive
 //   error against c^n, pixels of a lit sphere, 512 x 512: at most 0.212997 (n = 1, c = 0.018539761437612663), bias 9.10508e-05; 146779000 inputs, n in 1..1000, exhaustive
 //   certificate: BRDF within 0.000345435 of what it computes in real numbers, proved by Gappa 1.4.1; at most 0.0003356930998373394 seen, 65537000 inputs, exhaustive
-//   not known with these options: iCE40, iCE40 with DSP, iCE40 HX8K, OSU018, settling
+//   iCE40: 3693 LUT, 176 carry, 52 FF, 0 DSP, 0 RAM bits; Yosys 0.23 (git sha1 7ce5011c24b)
+//   iCE40 with DSP: 1001 LUT, 154 carry, 52 FF, 8 DSP, 0 RAM bits; Yosys 0.23 (git sha1 7ce5011c24b)
+//   iCE40 HX8K: 13.03 MHz, the least of 5 seeds; nextpnr-ice40 -- Next Generation Place and Route (Version 0.4-1+b1), Yosys 0.23 (git sha1 7ce5011c24b)
+//   OSU018: 9504.4 NAND2, 9210 cells, longest path 23.396 ns; OpenSTA 2.0.17, Yosys 0.23 (git sha1 7ce5011c24b)
+//   not known with these options: settling
 `default_nettype none
 
 module blysk_table_q16 (

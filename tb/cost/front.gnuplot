@@ -15,8 +15,8 @@ set grid lc rgb '#dddddd' lw 0.5
 set ylabel metric . ', ' . ARG4 noenhanced
 unset key
 
-# The devices and the formats of the rows, each once.
-row = 'NR == 1 { for (i = 1; i <= NF; ++i) at[$i] = i; next } $at["domain"] == "' . ARG4 . '"'
+# The devices and the formats of the rows that have an error, each once.
+row = 'NR == 1 { for (i = 1; i <= NF; ++i) at[$i] = i; next } $at["domain"] == "' . ARG4 . '" && $at["status"] != ""'
 each_once(key) = system("awk -F, '" . row . ' && $at["' . key . '"] != "" { if (!($at["' . key . '"] in seen)) { seen[$at["' . key \
   . '"]] = 1; print $at["' . key . '"] } }' . "' '" . ARG1 . "' | sort -V")
 names = each_once('device')
@@ -27,7 +27,7 @@ points(which, cost) = "< awk -F, '" . row . ' { x = ' . cost . '; y = $at["' . m
   . 'if ($at["device"] == "' . which . '" && x > 0 && y > 0) print x "," y "," $at["format"] }' . "' '" . ARG1 . "'"
 front(cost) = "< awk -F, '" . row . ' { x = ' . cost . '; y = $at["' . metric . '"]; y = y < 0 ? -y : y; ' \
   . 'if (x > 0 && y > 0) print x "," y }' . "' '" . ARG1 . "' | sort -t, -g -k1,1 -k2,2 | awk -F, 'NR == 1 || $2 < best { best = $2; print }'"
-# As many as there are devices with a cost, and some more.
+# As many as there are devices with an error, and some more.
 palette = "#1f77b4 #d95f02 #1b9e77 #7570b3 #e7298a #66a61e #a6761d #444444 #17becf #d62728 #bcbd22 #8c564b " \
   . "#ffb000 #0000a8 #ff9da7 #006d2c #b8b8b8 #c77cff"
 colour(i) = word(palette, 1 + (i - 1) % words(palette))

@@ -115,7 +115,13 @@ bool differs(const std::optional<Part>& part, const std::string& digest) {
 }  // namespace
 
 int configuration::cycles_per_result() const {
-  return asked.of().cycles_per_row(asked);
+  const bool is_steady = asked.of().draws_lines() || asked.of().latency_cycles(asked).has_value();
+  return is_steady ? asked.of().cycles_per_row(asked) : 0;
+}
+
+double configuration::results_per_us(double mhz) const {
+  const int cycles = cycles_per_result();
+  return cycles > 0 ? mhz / cycles : 0;
 }
 
 double configuration::ice40_mhz() const {

@@ -51,7 +51,8 @@ std::string rows_block(const rows& all, const words& formats) {
     const cost_row& cost = each.cost;
     if (!cost.ice40 && !cost.ice40_dsp && !cost.hx8k && !cost.osu018) continue;
     const auto rate = [&](double mhz) {
-      return mhz > 0 ? fmt::format("{:.1f}", mhz / each.cycles_per_result()) : kNothing;
+      const double million = each.results_per_us(mhz);
+      return million > 0 ? fmt::format("{:.1f}", million) : kNothing;
     };
     const auto cell = [&](bool is_there, auto value) {
       return is_there ? fmt::format("{}", value()) : kNothing;

@@ -85,9 +85,10 @@ void add_cost(json& row, const configuration& of) {
   row["path_ns"] = of.cost.osu018 ? json(of.cost.osu018->path_ns) : json(nullptr);
   const std::optional<int> latency = of.asked.of().latency_cycles(of.asked);
   row["latency_cycles"] = latency ? json(*latency) : json(nullptr);
-  row["cycles_per_result"] = of.cycles_per_result();
-  row["results_per_s_ice40"] = or_null(rounded(1e6 * of.ice40_mhz() / of.cycles_per_result(), 1));
-  row["results_per_s_asic"] = or_null(rounded(1e6 * of.asic_mhz() / of.cycles_per_result(), 1));
+  const int cycles = of.cycles_per_result();
+  row["cycles_per_result"] = cycles > 0 ? json(cycles) : json(nullptr);
+  row["results_per_s_ice40"] = or_null(rounded(1e6 * of.results_per_us(of.ice40_mhz()), 1));
+  row["results_per_s_asic"] = or_null(rounded(1e6 * of.results_per_us(of.asic_mhz()), 1));
   row["energy_pj"] = or_null(of.energy_pj());
   json host = json::object();
   for (const auto& [engine, time] : of.host)
@@ -114,7 +115,8 @@ std::vector<std::string> cells_of(const configuration& of, const metric& by, dom
   constexpr const char* kNothing = "-";
   const cost_row& cost = of.cost;
   const auto million = [&](double mhz) {
-    return mhz > 0 ? fmt::format("{:.2f}", mhz / of.cycles_per_result()) : kNothing;
+    const double rate = of.results_per_us(mhz);
+    return rate > 0 ? fmt::format("{:.2f}", rate) : kNothing;
   };
   std::vector<std::string> cells{of.label()};
   cells.push_back(of.has_errors_in(where) ? number_text(by.of(of.errors_in(where))) : kNothing);
@@ -172,7 +174,9 @@ void put_errors(nlohmann::ordered_json& row, const error_table* table, domain wh
   row["domain"] = named(where).name;
   row["status"] = nullptr;
   if (table == nullptr || (*table)[static_cast<std::size_t>(where)].points == 0) {
+    row["points"] = nullptr;
     for (const metric& each : metrics()) row[std::string(each.key)] = nullptr;
+    for (const char* key : {"max_abs_n", "max_abs_cos", "ulps", "falls"}) row[key] = nullptr;
     return;
   }
   const errors& e = (*table)[static_cast<std::size_t>(where)];
