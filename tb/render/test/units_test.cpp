@@ -278,7 +278,7 @@ TEST_CASE("a grey point in several lights has in all channels what red has", "[r
   for (std::uint32_t point = 0; point < 2; ++point) {
     const bool is_grey = point == 0;
     adds.begin(point, {1000, 1000, 1000}, is_grey);
-    for (const std::int64_t light : {1, 2, 3}) {
+    for (const std::int32_t light : {1, 2, 3}) {
       const std::uint32_t number = adds.add({5000 * light, 5000 * light, 5000 * light}, 1000 * light);
       for (std::size_t channel = 0; channel < (is_grey ? 1 : 3); ++channel)
         adds.set_specular(number, channel, 20000 * light);
