@@ -6,7 +6,7 @@
 //   iCE40: 1456 LUT, 223 carry, 73 FF, 0 DSP, 0 RAM bits; Yosys 0.23 (git sha1 7ce5011c24b)
 //   iCE40 with DSP: 298 LUT, 147 carry, 73 FF, 3 DSP, 0 RAM bits; Yosys 0.23 (git sha1 7ce5011c24b)
 //   iCE40 HX8K: 50.28 MHz, the least of 5 seeds; nextpnr-ice40 -- Next Generation Place and Route (Version 0.4-1+b1), Yosys 0.23 (git sha1 7ce5011c24b)
-//   OSU018: 4379.4 NAND2, 4208 cells, longest path 5.329 ns; OpenSTA 2.0.17, Yosys 0.23 (git sha1 7ce5011c24b)
+//   OSU018: 4379.4 NAND2, 4208 cells, longest path 6.315 ns; OpenSTA 2.0.17, Yosys 0.23 (git sha1 7ce5011c24b)
 //   not known with these options: errors, certificate, settling
 `default_nettype none
 

@@ -69,6 +69,7 @@ void prepare(const selection& asked, const std::string& reference, const fs::pat
                                                     "read_verilog osu018/netlist.v\n"
                                                     "link_design {}\n"
                                                     "create_clock -name clk -period {} [get_ports {}]\n"
+                                                    "set_input_delay 0 -clock clk [get_ports {{rst_n *_i *_i\\[*}}]\n"
                                                     "set_output_delay 0 -clock clk [all_outputs]\n"
                                                     "report_checks -path_delay max -digits 4\n",
                                                     asked.top_name(), kPeriodNs, clock));
