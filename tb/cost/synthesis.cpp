@@ -65,14 +65,15 @@ void prepare(const selection& asked, const std::string& reference, const fs::pat
   cost::write_text(folder / "wrapper" / "bench.v", cost::serial_wrapper(asked, kWrapper));
   cost::write_text(folder / "top", asked.top_name() + "\n");
   cost::write_text(folder / "digest", cost::verilog_digest(exported) + "\n");
-  cost::write_text(folder / "path.tcl", fmt::format("read_liberty osu018/cells.lib\n"
-                                                    "read_verilog osu018/netlist.v\n"
-                                                    "link_design {}\n"
-                                                    "create_clock -name clk -period {} [get_ports {}]\n"
-                                                    "set_input_delay 0 -clock clk [get_ports {{rst_n *_i *_i\\[*}}]\n"
-                                                    "set_output_delay 0 -clock clk [all_outputs]\n"
-                                                    "report_checks -path_delay max -digits 4\n",
-                                                    asked.top_name(), kPeriodNs, clock));
+  cost::write_text(folder / "path.tcl",
+                   fmt::format("read_liberty osu018/cells.lib\n"
+                               "read_verilog osu018/netlist.v\n"
+                               "link_design {}\n"
+                               "create_clock -name clk -period {} [get_ports {}]\n"
+                               "set_input_delay 0 -clock clk [get_ports {{rst_n *_i *_i\\[*}}]\n"
+                               "set_output_delay 0 -clock clk [all_outputs]\n"
+                               "report_checks -path_delay max -digits 4\n",
+                               asked.top_name(), kPeriodNs, clock));
   cost::write_text(folder / "wrapper" / "mapped.v", cost::split_wrapper(asked, "mapped"));
   cost::write_text(folder / "delays.tcl",
                    fmt::format("read_liberty delays/cells.lib\n"
