@@ -41,7 +41,8 @@ struct configuration {
   std::string digest = {};                     ///< of the Verilog that is exported today; empty if none is
   bool is_stale = false;                       ///< a part of the cost belongs to another Verilog
 
-  /// Clock cycles from one result to the next; 0 where a row takes as long as it asks for.
+  /// Clock cycles from one result to the next; 0 where a row takes as long as it asks for, or rows add
+  /// up.
   int cycles_per_result() const;
 
   /// Million results a second at a clock in MHz; 0 if there is no clock or no such number of cycles.
