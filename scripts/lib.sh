@@ -86,19 +86,55 @@ systemc_of_environment="SystemCLanguage_DIR=${SystemCLanguage_DIR:-} SYSTEMC_HOM
 # cached NAME: the value in build/CMakeCache.txt.
 cached() { sed -n "s/^$1:[^=]*=//p" "$root/build/CMakeCache.txt"; }
 
-# build [TARGET...]: builds the targets, or all. Configures build/ first where that was not done yet, was done with
-# another SystemC than the environment names now, or where files that it knew are gone since; afresh where build/ is
-# that of another tree, of which this one is a copy, or of this one at another place.
+# build [TARGET...]: builds the targets, or all, with all formats and engines. Configures build/ first where that was not
+# done yet, was done by build_part or with another SystemC than the environment names now, or where files that it knew are
+# gone since; afresh where build/ is that of another tree, of which this one is a copy, or of this one at another place.
 build() {
-  if [ -f "$root/build/CMakeCache.txt" ] &&
-    ! { [ "$(cached CMAKE_HOME_DIRECTORY)" -ef "$root" ] && [ "$(cached CMAKE_CACHEFILE_DIR)" -ef "$root/build" ]; }; then
+  local whole=(-DBLYSK_FORMATS= -DBLYSK_VERILATED=ON -DBUILD_TESTING=ON -DCMAKE_UNITY_BUILD=OFF)
+  if is_of_another_place; then
     say "build/ is that of another tree or place"
     configure --fresh
-  elif [ ! -f "$root/build/build.ninja" ] ||
-    [ "$(cat "$root/build/systemc-of-environment" 2>/dev/null)" != "$systemc_of_environment" ] ||
-    ! ninja -C "$root/build" -n build.ninja >/dev/null 2>&1; then
+  elif is_part; then
+    configure "${whole[@]}"
+  elif must_configure; then
     configure
   fi
+  build_configured "$@"
+}
+
+# build_part FORMAT TARGET...: builds the targets, with FORMAT and without engine verilator where build/ is not there yet:
+# minutes in place of an hour. What is there in build/ already stays in it.
+build_part() {
+  local format=$1 part=(-DBLYSK_VERILATED=OFF -DBUILD_TESTING=OFF -DCMAKE_UNITY_BUILD=ON)
+  shift
+  if is_of_another_place; then
+    say "build/ is that of another tree or place"
+    configure --fresh "-DBLYSK_FORMATS=$format" "${part[@]}"
+  elif [ ! -f "$root/build/CMakeCache.txt" ]; then
+    configure "-DBLYSK_FORMATS=$format" "${part[@]}"
+  elif is_part && [[ ";$(cached BLYSK_FORMATS);" != *";$format;"* ]]; then
+    configure "-DBLYSK_FORMATS=$(cached BLYSK_FORMATS);$format"
+  elif must_configure; then
+    configure
+  fi
+  build_configured "$@"
+}
+
+# is_part: whether build/ has some formats only.
+is_part() { [ -f "$root/build/CMakeCache.txt" ] && [ -n "$(cached BLYSK_FORMATS)" ]; }
+
+is_of_another_place() {
+  [ -f "$root/build/CMakeCache.txt" ] &&
+    ! { [ "$(cached CMAKE_HOME_DIRECTORY)" -ef "$root" ] && [ "$(cached CMAKE_CACHEFILE_DIR)" -ef "$root/build" ]; }
+}
+
+must_configure() {
+  [ ! -f "$root/build/build.ninja" ] ||
+    [ "$(cat "$root/build/systemc-of-environment" 2>/dev/null)" != "$systemc_of_environment" ] ||
+    ! ninja -C "$root/build" -n build.ninja >/dev/null 2>&1
+}
+
+build_configured() {
   say "building"
   logged build cmake --build "$root/build" ${1:+--target "$@"} || exit 1
 }

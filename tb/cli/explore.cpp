@@ -16,6 +16,7 @@
 #include "tb/cost/measured.h"
 #include "tb/cost/sweep.h"
 #include "tb/cost/table.h"
+#include "tb/formats_of_build.h"
 #include "tb/progress.h"
 #include "tb/read_number.h"
 #include "tb/usage_error.h"
@@ -173,6 +174,15 @@ void print_table(const options& asked, const std::vector<cost::configuration>& r
           stderr,
           "blysk: {} rows are stale: the exported Verilog has changed since; scripts/synth measures them\n",
           stale);
+    const auto absent = std::ranges::count_if(
+        rows, [](const cost::configuration& each) { return !is_in_build(each.asked.format()); });
+    if (absent != 0) {
+      fmt::print(
+          stderr,
+          "blysk: {} rows are of formats that this build does not have, so whether they are stale is not "
+          "known; scripts/build makes one with all\n",
+          absent);
+    }
   }
   if (rows.empty())
     fmt::print(stderr,

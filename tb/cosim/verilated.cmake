@@ -31,14 +31,16 @@ std::span<const verilated_entry> @kind@_table() {
   target_sources(${target} PRIVATE ${CMAKE_CURRENT_BINARY_DIR}/${target}_${kind}_table.cpp)
 endfunction()
 
-find_package(verilator HINTS $ENV{VERILATOR_ROOT})
+if(BLYSK_VERILATED)
+  find_package(verilator HINTS $ENV{VERILATOR_ROOT})
+endif()
 find_package(Threads REQUIRED)
 if(NOT verilator_FOUND)
   if(BUILD_TESTING)
     message(FATAL_ERROR "No Verilator. Run scripts/setup, which installs it, or set BUILD_TESTING=OFF to build the programs "
                         "without engine verilator.")
   endif()
-  message(STATUS "No Verilator: the programs have no engine verilator")
+  message(STATUS "The programs have no engine verilator")
   return()
 endif()
 

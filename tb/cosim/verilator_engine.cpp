@@ -54,10 +54,11 @@ const verilated_entry& find_entry(std::span<const verilated_entry> table, const 
     if (std::ranges::find(table, other.folder_name(), &verilated_entry::name) != table.end())
       formats.push_back(format);
   }
-  throw std::invalid_argument(
-      fmt::format("engine verilator has no {}device {} in format {}, expected {}",
-                  recorded == waves::on ? "waves of " : "", asked.of().name(), asked.format(),
-                  formats.empty() ? "a build with Verilator" : fmt::format("{}", fmt::join(formats, ", "))));
+  throw std::invalid_argument(fmt::format("engine verilator has no {}device {} in format {}, expected {}",
+                                          recorded == waves::on ? "waves of " : "", asked.of().name(),
+                                          asked.format(),
+                                          formats.empty() ? "a build with Verilator; scripts/build makes one"
+                                                          : fmt::format("{}", fmt::join(formats, ", "))));
 }
 
 }  // namespace

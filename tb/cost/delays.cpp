@@ -10,6 +10,7 @@
 #include "tb/cost/cost_row.h"
 #include "tb/cost/digest.h"
 #include "tb/cost/measured.h"
+#include "tb/formats_of_build.h"
 #include "tb/usage_error.h"
 
 namespace blysk::cost {
@@ -190,6 +191,7 @@ device_delays read_delays(const std::string& file, const selection& asked, const
 }
 
 std::string digest_of(const selection& asked) {
+  expect_in_build(asked.format());
   std::string digest = exported_digests({asked}).front();
   if (digest.empty()) throw std::runtime_error("the device's Verilog cannot be exported");
   return digest;

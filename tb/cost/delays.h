@@ -25,7 +25,7 @@ device_delays parse_delays(const std::string& path, const std::string& text);
 device_delays read_delays(const std::string& file, const selection& asked, const std::string& digest);
 
 /// The digest of the Verilog that a device exports, made in a process of its own: SystemC elaborates once in each.
-/// \throws std::runtime_error if it cannot be exported
+/// \throws std::runtime_error if it cannot be exported, std::invalid_argument if its format is not in this build
 std::string digest_of(const selection& asked);
 
 /// What the tools leave of a mapped device.

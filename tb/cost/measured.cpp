@@ -9,6 +9,7 @@
 #include <iterator>
 
 #include "tb/cost/digest.h"
+#include "tb/formats_of_build.h"
 #include "tb/usage_error.h"
 
 namespace blysk::cost {
@@ -114,7 +115,12 @@ bool differs(const std::optional<Part>& part, const std::string& digest) {
 
 }  // namespace
 
+std::optional<int> configuration::latency_cycles() const {
+  return is_in_build(asked.format()) ? asked.of().latency_cycles(asked) : std::nullopt;
+}
+
 int configuration::cycles_per_result() const {
+  if (!is_in_build(asked.format())) return 0;
   const bool is_steady = asked.of().draws_lines() || asked.of().latency_cycles(asked).has_value();
   return is_steady ? asked.of().cycles_per_row(asked) : 0;
 }
@@ -222,6 +228,7 @@ void look_for_stale(std::vector<configuration>& all) {
   for (std::size_t i = 0; i < all.size(); ++i) {
     configuration& each = all[i];
     each.digest = digests[i];
+    if (!is_in_build(each.asked.format())) continue;
     each.is_stale = differs(each.cost.ice40, each.digest) || differs(each.cost.ice40_dsp, each.digest) ||
                     differs(each.cost.hx8k, each.digest) || differs(each.cost.osu018, each.digest) ||
                     (each.energy && each.energy->digest != each.digest);

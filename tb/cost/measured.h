@@ -42,8 +42,12 @@ struct configuration {
   bool is_stale = false;                       ///< a part of the cost belongs to another Verilog
 
   /// Clock cycles from one result to the next; 0 where a row takes as long as it asks for, or rows add
-  /// up.
+  /// up, or this build does not have the format.
   int cycles_per_result() const;
+
+  /// Clock cycles from a point to its results; none where that depends on the row or this build does not have
+  /// the format.
+  std::optional<int> latency_cycles() const;
 
   /// Million results a second at a clock in MHz; 0 if there is no clock or no such number of cycles.
   double results_per_us(double mhz) const;
@@ -79,7 +83,8 @@ std::optional<cost_row> measured_cost(const selection& asked);
 /// \param path  below docs/tables
 std::optional<std::string> embedded_text(const std::string& path);
 
-/// Finds which rows are stale. It exports each device in a process of its own.
+/// Finds which rows are stale, those of formats that this build does not have left out. It exports each device in a process of
+/// its own.
 void look_for_stale(std::vector<configuration>& all);
 
 }  // namespace blysk::cost

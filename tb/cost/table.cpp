@@ -83,7 +83,7 @@ void add_cost(json& row, const configuration& of) {
   row["fmax_mhz_most"] = of.cost.hx8k ? json(of.cost.hx8k->most()) : json(nullptr);
   row["area_nand2"] = of.cost.osu018 ? json(of.cost.osu018->area_nand2) : json(nullptr);
   row["path_ns"] = of.cost.osu018 ? json(of.cost.osu018->path_ns) : json(nullptr);
-  const std::optional<int> latency = of.asked.of().latency_cycles(of.asked);
+  const std::optional<int> latency = of.latency_cycles();
   row["latency_cycles"] = latency ? json(*latency) : json(nullptr);
   const int cycles = of.cycles_per_result();
   row["cycles_per_result"] = cycles > 0 ? json(cycles) : json(nullptr);
@@ -131,7 +131,7 @@ std::vector<std::string> cells_of(const configuration& of, const metric& by, dom
   cells.push_back(cost.osu018 ? fmt::format("{:.0f}", cost.osu018->area_nand2) : kNothing);
   cells.push_back(cost.osu018 ? fmt::format("{:.2f}", cost.osu018->path_ns) : kNothing);
   cells.push_back(million(of.asic_mhz()));
-  const std::optional<int> latency = of.asked.of().latency_cycles(of.asked);
+  const std::optional<int> latency = of.latency_cycles();
   cells.push_back(latency ? fmt::format("{}", *latency) : kNothing);
   for (const char* engine : {"golden", "bit", "systemc", "verilator"}) {
     const auto found = of.host.find(engine);

@@ -58,9 +58,9 @@ bool is_name(const node& n) {
 ///
 /// The factors of a product keep their own widths and signs, since synthesis tools take the size of a multiplier from
 /// them: a product is the whole of an assignment, whose width it takes.
-class writer {
+class law_writer {
  public:
-  explicit writer(const netlist::block& part) {
+  explicit law_writer(const netlist::block& part) {
     for (const declaration& name : part.declarations()) taken_.insert(name.name);
     for (const assignment& drive : part.drives()) {
       const node& root = *drive.value.root();
@@ -424,11 +424,11 @@ class writer {
 }  // namespace
 
 std::string law_text(const netlist::block& part) {
-  return writer(part).text(part.declarations());
+  return law_writer(part).text(part.declarations());
 }
 
 int parameter_width(const netlist::block& part, const std::string& name) {
-  return writer(part).parameter_width(name);
+  return law_writer(part).parameter_width(name);
 }
 
 }  // namespace blysk::verilog

@@ -50,11 +50,11 @@ std::string type_name(const sc_core::sc_object& module) {
   return std::regex_replace(name.get(), std::regex(R"((\w+|\(anonymous namespace\))::)"), "");
 }
 
-class writer {
+class module_writer {
  public:
   /// \param name    of the top module, with which the others' names begin
   /// \param origin  what all files tell at their heads
-  writer(const std::string& name, const std::string& origin, const netlist::elaborated& device)
+  module_writer(const std::string& name, const std::string& origin, const netlist::elaborated& device)
       : name_(name), origin_(origin), parts_(device.parts()) {
     const auto ordered = netlist::in_order_of_data(device, netlist::registers_are::sources);
     for (std::size_t i = 0; i < ordered.size(); ++i) place_[ordered[i]] = i;
@@ -248,7 +248,7 @@ class writer {
 
 files module_files(const netlist::elaborated& device, const std::string& name, const std::string& origin,
                    const std::map<std::string, std::string>& notes) {
-  writer result(name, origin, device);
+  module_writer result(name, origin, device);
   result.write(device.device(), name, notes);
   return result.result;
 }

@@ -71,7 +71,7 @@ std::string vectors_text(const netlist::elaborated& device, int cycles) {
   return text;
 }
 
-std::string bench_text(const netlist::elaborated& device, const std::string& module_name) {
+std::string replay_text(const netlist::elaborated& device, const std::string& module_name) {
   std::string connections, declarations;
   for (const auto& each : device.ports()) {
     if (!each->what.is_inner)
@@ -121,7 +121,7 @@ std::string bench_text(const netlist::elaborated& device, const std::string& mod
 
 void write_replay(const netlist::elaborated& device, const std::string& module_name, int cycles,
                   const std::filesystem::path& directory) {
-  write_files({{"vectors.txt", vectors_text(device, cycles)}, {"replay.v", bench_text(device, module_name)}},
+  write_files({{"vectors.txt", vectors_text(device, cycles)}, {"replay.v", replay_text(device, module_name)}},
               directory);
 }
 

@@ -11,7 +11,7 @@
 namespace blysk::render {
 namespace {
 
-constexpr std::string_view kColumns = "n,cos,r,g,b";
+constexpr std::string_view kPointColumns = "n,cos,r,g,b";
 enum : std::size_t { kN, kCos, kRed };
 
 std::size_t find_column(const std::vector<port>& ports, const char* name) {
@@ -24,7 +24,7 @@ std::size_t find_column(const std::vector<port>& ports, const char* name) {
 device_ports::device_ports(const selection& asked) : ports_(asked.of().ports(asked)) {
   const std::vector<port> results = of_role(ports_, port::role::result);
   const std::array names{"red", "green", "blue"};
-  bool is_complete = column_names(ports_, port::role::data) == kColumns;
+  bool is_complete = column_names(ports_, port::role::data) == kPointColumns;
   for (std::size_t channel = 0; channel < 3; ++channel) {
     const std::size_t at = find_column(results, names[channel]);
     is_complete = is_complete && at < results.size();
@@ -33,8 +33,9 @@ device_ports::device_ports(const selection& asked) : ports_(asked.of().ports(ask
     result_format_[channel] = *results[at].carries;
   }
   if (!is_complete) {
-    throw std::invalid_argument(fmt::format(
-        "device {} does not shade a point, expected one of the stimulus {}", asked.of().name(), kColumns));
+    throw std::invalid_argument(
+        fmt::format("device {} does not shade a point, expected one of the stimulus {}", asked.of().name(),
+                    kPointColumns));
   }
   if (result_format_[0].integer > kTermIntegerBits) {
     throw std::invalid_argument(fmt::format("device {} puts out {} integer bits, expected at most {}",

@@ -10,7 +10,7 @@
 namespace blysk::render {
 namespace {
 
-constexpr std::string_view kColumns = "nl,first,ar,ag,ab,dr,dg,db,sr,sg,sb";
+constexpr std::string_view kUnitColumns = "nl,first,ar,ag,ab,dr,dg,db,sr,sg,sb";
 constexpr const char* kEnergyOption = "energy";
 constexpr const char* kEnergyColumn = ",energy";
 constexpr std::string_view kResults = "red_sum,green_sum,blue_sum,red,green,blue";
@@ -30,7 +30,8 @@ std::vector<port> of(const selection& device, port::role role) {
 
 bool adds_up_effects(const selection& device, bool has_energy) {
   const std::vector<port> ports = device.of().ports(device);
-  if (column_names(ports, port::role::data) != std::string(kColumns) + (has_energy ? kEnergyColumn : "") ||
+  if (column_names(ports, port::role::data) !=
+          std::string(kUnitColumns) + (has_energy ? kEnergyColumn : "") ||
       column_names(ports, port::role::result) != kResults)
     return false;
   const std::vector<port> data = of_role(ports, port::role::data);

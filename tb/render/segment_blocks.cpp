@@ -16,9 +16,9 @@ struct block {
   int left, top, right, bottom;
 };
 
-class filling {
+class block_filling {
  public:
-  filling(picture& image, const segments& asked)
+  block_filling(picture& image, const segments& asked)
       : image_(image), asked_(asked), is_traced_(image.rgb.size() / 3, false) {}
 
   segment_counts run(const tracer_of_pixels& trace) {
@@ -231,7 +231,7 @@ class filling {
 segment_counts fill_by_blocks(picture& image, const segments& asked, const tracer_of_pixels& trace) {
   if (asked.inner != inner_colours::bilinear && asked.inner != inner_colours::bicubic)
     throw std::logic_error("a block has four corners, expected inner colours of blocks");
-  return filling(image, asked).run(trace);
+  return block_filling(image, asked).run(trace);
 }
 
 }  // namespace blysk::render

@@ -34,9 +34,9 @@ struct segment {
   int row, left, right;
 };
 
-class filling {
+class segment_filling {
  public:
-  filling(picture& image, const segments& asked) : image_(image), asked_(asked) {}
+  segment_filling(picture& image, const segments& asked) : image_(image), asked_(asked) {}
 
   segment_counts run(const tracer_of_pixels& trace) {
     std::vector<segment> open = first_segments();
@@ -159,7 +159,7 @@ std::uint64_t elements_of_row(int width, std::uint64_t inner) {
 }
 
 segment_counts fill_by_segments(picture& image, const segments& asked, const tracer_of_pixels& trace) {
-  return filling(image, asked).run(trace);
+  return segment_filling(image, asked).run(trace);
 }
 
 }  // namespace blysk::render

@@ -8,7 +8,7 @@
 namespace blysk::render {
 namespace {
 
-constexpr std::string_view kColumns = "length,r0,g0,b0,r1,g1,b1";
+constexpr std::string_view kSpanColumns = "length,r0,g0,b0,r1,g1,b1";
 constexpr std::string_view kResults = "red,green,blue";
 enum : std::size_t { kLength, kFirst, kLast = kFirst + 3 };
 
@@ -18,7 +18,7 @@ selection choose_span_device(const std::string& format) {
   for (const device* each : devices()) {
     selection chosen = choose(each->name(), format);
     const std::vector<port> ports = each->ports(chosen);
-    if (each->draws_lines() && column_names(ports, port::role::data) == kColumns &&
+    if (each->draws_lines() && column_names(ports, port::role::data) == kSpanColumns &&
         column_names(ports, port::role::result) == kResults)
       return chosen;
   }

@@ -105,6 +105,32 @@ END
     build link
     ! grep -q configuring error || fail 'configured for a link to the tree'
     ;;
+  part)
+    tree tree
+    cat >>tree/CMakeLists.txt <<'END'
+add_custom_target(some)
+file(WRITE ${CMAKE_BINARY_DIR}/has "formats ${BLYSK_FORMATS}, engine verilator ${BLYSK_VERILATED}, tests ${BUILD_TESTING}")
+END
+    # has WHAT FUNCTION ARGUMENT...: what build/ is configured for after a call.
+    has() {
+      exits 0 bash -c '. tree/scripts/lib.sh; "$@"' part "${@:2}"
+      [ "$(cat tree/build/has)" = "$1" ] || fail "${*:2}: $(cat tree/build/has), expected $1"
+    }
+    as_it_was() {
+      ! grep -q configuring error || fail 'configured without need'
+    }
+    has 'formats q16, engine verilator OFF, tests OFF' build_part q16 some
+    has 'formats q16, engine verilator OFF, tests OFF' build_part q16 some
+    as_it_was
+    has 'formats q16;q8, engine verilator OFF, tests OFF' build_part q8 some
+    has 'formats q16;q8, engine verilator OFF, tests OFF' build_part q16 some
+    as_it_was
+    has 'formats , engine verilator ON, tests ON' build some
+    has 'formats , engine verilator ON, tests ON' build_part q8 some
+    as_it_was
+    has 'formats , engine verilator ON, tests ON' build
+    as_it_was
+    ;;
   cdpath)
     tree tree
     cd tree

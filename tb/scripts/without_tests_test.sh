@@ -24,3 +24,20 @@ cmake -S "$source" -B "$folder/bare" -G Ninja -DBUILD_TESTING=OFF -DCMAKE_DISABL
 grep -q 'no engine verilator' "$folder/log" || { echo 'Verilator is used all the same' >&2 && exit 1; }
 ninja -C "$folder/bare" -t commands all >"$folder/commands"
 if grep -E 'verilated|Catch2|rapidcheck' "$folder/commands" | grep -v verilated_table >&2; then exit 1; fi
+
+# Some formats: one object of netlists each, and none of the others'.
+part() { cmake -S "$source" -B "$folder/part" -G Ninja -DBLYSK_FORMATS="$1" "${@:2}" >"$folder/log" 2>&1; }
+part 'q10;q8' -DBUILD_TESTING=OFF -DBLYSK_VERILATED=OFF || { cat "$folder/log" >&2 && exit 1; }
+ninja -C "$folder/part" -t commands all >"$folder/commands"
+elaborated=$(sed -n 's/.* -DBLYSK_FORMAT=\(q[0-9]*\) .*/\1/p' "$folder/commands" | sort | paste -sd' ')
+[ "$elaborated" = 'q10 q8' ] || { echo "netlists of $elaborated, expected q10 q8" >&2 && exit 1; }
+if grep 'verilated' "$folder/commands" | grep -v verilated_table >&2; then exit 1; fi
+
+# refused WHY FORMATS ARGUMENT...
+refused() {
+  if part "${@:2}"; then echo "configures with ${*:2}" >&2 && exit 1; fi
+  grep -q "$1" "$folder/log" || { cat "$folder/log" >&2 && exit 1; }
+}
+refused 'BLYSK_FORMATS has q9, expected some of q8, q10' 'q8;q9' -DBUILD_TESTING=OFF
+refused 'tests need all formats' q8 -DBUILD_TESTING=ON
+refused 'tests need all formats' '' -DBUILD_TESTING=ON -DBLYSK_VERILATED=OFF
