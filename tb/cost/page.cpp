@@ -7,10 +7,12 @@
 #include <array>
 #include <functional>
 #include <iterator>
+#include <map>
 #include <optional>
 #include <set>
 #include <sstream>
 
+#include "tb/cost/figures.h"
 #include "tb/cost/table.h"
 #include "tb/usage_error.h"
 
@@ -324,6 +326,33 @@ std::string block_of(const std::string& path, std::size_t line, const words& ask
   throw file_error(path, line, fmt::format("block {} is unknown, expected {}", asked[0], kBlocks));
 }
 
+/// Lines of figures, and the paragraph below them.
+class quotations {
+ public:
+  quotations(const std::string& path, const rows& all) : path_(path), all_(all) {}
+
+  /// The next line of the page; an empty one ends a paragraph.
+  void take(std::size_t number, const std::string& line) {
+    constexpr std::string_view kFigures = "<!-- figures: ";
+    constexpr std::string_view kClosed = " -->";
+    if (line.starts_with(kFigures) && line.ends_with(kClosed)) {
+      pending_[number] = line.substr(kFigures.size(), line.size() - kFigures.size() - kClosed.size());
+    } else if (!line.empty()) {
+      paragraph_ += line + ' ';
+    } else {
+      for (const auto& [at, quoted] : pending_) check_figures(path_, at, quoted, paragraph_, all_);
+      pending_.clear();
+      paragraph_.clear();
+    }
+  }
+
+ private:
+  const std::string& path_;
+  const rows& all_;
+  std::map<std::size_t, std::string> pending_;
+  std::string paragraph_;
+};
+
 }  // namespace
 
 std::string with_generated_blocks(const std::string& path, const std::string& page,
@@ -331,6 +360,7 @@ std::string with_generated_blocks(const std::string& path, const std::string& pa
   constexpr std::string_view kBegin = "<!-- generated: ";
   constexpr std::string_view kEnd = "<!-- end of generated -->";
   std::string result;
+  quotations quoted(path, all);
   std::istringstream lines(page);
   std::size_t number = 0;
   std::size_t begun = 0;  // line of the block that is skipped, 0 outside
@@ -343,6 +373,7 @@ std::string with_generated_blocks(const std::string& path, const std::string& pa
     }
     if (begun != 0) continue;
     result += line + '\n';
+    quoted.take(number, line);
     if (!line.starts_with(kBegin) || !line.ends_with(" -->")) continue;
     begun = number;
     std::istringstream asked(
@@ -351,6 +382,7 @@ std::string with_generated_blocks(const std::string& path, const std::string& pa
     for (std::string word; asked >> word;) parts.push_back(word);
     result += block_of(path, number, parts, all);
   }
+  quoted.take(number + 1, "");
   if (begun != 0)
     throw file_error(path, begun, fmt::format("begins a generated block, expected {} below", kEnd));
   return result;

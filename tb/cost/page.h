@@ -22,8 +22,9 @@ namespace blysk::cost {
 ///     energy STIMULUS FORMAT...  changes and energy for a result, with delays and without
 ///     energy-of-blocks STIMULUS DEVICE FORMAT
 ///     tools                    what measured
+/// Figures that a paragraph quotes are compared with the rows, as check_figures() says.
 /// \param path  for messages
-/// \throws usage_error for a block that is unknown or has no end
+/// \throws usage_error for a block that is unknown or has no end, or a figure that is not in its paragraph
 std::string with_generated_blocks(const std::string& path, const std::string& page,
                                   const std::vector<configuration>& all);
 

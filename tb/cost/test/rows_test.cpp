@@ -232,6 +232,39 @@ TEST_CASE("a page's generated blocks are made anew and nothing else", "[cost]") 
           "page:1: metric x does not exist");
 }
 
+TEST_CASE("a paragraph has the figures that it says it quotes", "[cost]") {
+  const std::vector<configuration> all{row_of("q8", 100, 40, 0.5), row_of("q10", 200, 30, 0.284)};
+  const std::string device = all[0].asked.of().name();
+  const std::string quoted = "<!-- figures: " + device + " q8 lut, " + device + " q10 max_abs_err lobe -->\n";
+  const auto page = [&](const std::string& text) {
+    return with_generated_blocks("page", quoted + text, all);
+  };
+  for (const char* text :
+       {"It takes 100 LUT, and 0.28 is its error.\n", "An error of 0.284, 100\nLUT.\n\nMore: 7.\n"})
+    CHECK(page(text) == quoted + text);
+  const auto refused = [&](const std::string& text, const std::string& message) {
+    CHECK_THROWS_WITH(with_generated_blocks("page", text, all), ContainsSubstring(message));
+  };
+  refused(quoted + "It takes 101 LUT, and 0.28 is its error.\n",
+          "page:1: the paragraph does not have " + device + " q8 lut, expected 100");
+  refused(quoted + "It takes 100 LUT, and 0.29 is its error.\n", "max_abs_err lobe, expected 0.284");
+  refused(quoted + "It takes 1000 LUT, q100, 100x, 0.28.\n", "q8 lut, expected 100");
+  refused(quoted + "None.\n\n100 LUT, 0.28\n", "q8 lut, expected 100");
+  const std::string ratio = "<!-- figures: " + device + "/" + device + " q10 lut -->\n";
+  CHECK(page("It takes 100 LUT, 0.28.\n\n" + ratio + "1.0 times\n").ends_with("1.0 times\n"));
+  refused(ratio + "1.1 times\n", "expected 1");
+  const std::vector<configuration> large{row_of("q8", 5649, 40, 0.5)};
+  const std::string luts = "<!-- figures: " + device + " q8 lut -->\n";
+  for (const char* text : {"5600\n", "5650\n", "5649\n", "5649.0\n"})
+    CHECK_NOTHROW(with_generated_blocks("page", luts + text, large));
+  for (const char* text : {"5700\n", "6000\n", "5640\n", "5650.0\n"})
+    CHECK_THROWS(with_generated_blocks("page", luts + text, large));
+  refused("<!-- figures: " + device + " q9 lut -->\n100\n", "q9 lut: was not measured");
+  refused("<!-- figures: " + device + " q8 luts -->\n100\n", "is no number that was measured");
+  refused("<!-- figures: " + device + " q8 -->\n100\n", "is no figure, expected DEVICE FORMAT COLUMN");
+  refused("<!-- figures: " + device + " q8 rms nowhere -->\n100\n", "nowhere");
+}
+
 TEST_CASE("digests depend on the Verilog and on nothing else", "[cost]") {
   const std::string of_none = "sha256:e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855";
   CHECK(verilog_digest({}) == of_none);
