@@ -119,7 +119,7 @@ double positive_of(const std::string& name, std::string text, std::string_view u
   if (!unit.empty() && text.ends_with(unit)) text.resize(text.size() - unit.size());
   const std::optional<double> value = read_real(text);
   if (!value || !std::isfinite(*value) || !(*value > 0))
-    throw usage_error(fmt::format("--{} is {}, expected a number above zero{}", name, given,
+    throw usage_error(fmt::format("--{} is {}, expected a finite number above zero{}", name, given,
                                   unit.empty() ? "" : fmt::format(" such as 50{}", unit)));
   return *value;
 }
@@ -130,7 +130,14 @@ std::vector<cost::configuration> measured_rows(const options& asked) {
   if (!asked.device.empty()) {
     const selection chosen =
         choose(asked.device, asked.format.empty() ? std::string(format_names[0]) : asked.format, asked.named);
+    // A device may write one choice in several ways: --cuts 2,4 as --stages 3, or as its preset. The rows have one.
+    const bool is_rewritten = std::ranges::any_of(
+        asked.named, [&](const auto& given) { return chosen.value(given.first) != given.second; });
     for (auto& [name, value] : wanted) value = chosen.value(name);
+    for (const option& own : chosen.of().options()) {
+      const std::string& value = chosen.value(own.name);
+      if (value != own.preset || (is_rewritten && own.is_wired)) wanted[own.name] = value;
+    }
   } else if (!asked.named.empty()) {
     throw usage_error(
         fmt::format("--{} is of a device, expected --device with it", asked.named.begin()->first));
@@ -189,8 +196,15 @@ void print_table(const options& asked, const std::vector<cost::configuration>& r
                "blysk: no measured configuration is of this device, format and options; scripts/synth "
                "measures them\n");
   if (!asked.html.empty()) {
-    cost::write_text(asked.html, cost::html_page(json_rows(rows, domains_of(asked))));
-    if (asked.html != "-") fmt::print("{}: {} configurations\n", printable(asked.html), rows.size());
+    const auto drawn = std::ranges::count_if(rows, [&](const cost::configuration& each) {
+      return std::ranges::any_of(domains_of(asked), [&](cost::domain in) { return each.has_errors_in(in); });
+    });
+    if (drawn == 0)
+      throw usage_error(
+          "--html: none of these configurations has an error against cos^n, expected one to draw");
+    cost::write_text(asked.html, cost::html_page(json_rows(rows, domains_of(asked)), asked.metric));
+    if (asked.html != "-")
+      fmt::print("{}: {} configuration{}\n", printable(asked.html), drawn, drawn == 1 ? "" : "s");
   }
 }
 
@@ -239,7 +253,7 @@ int answer(const options& asked, const std::vector<cost::configuration>& rows) {
 
 cost::sweep sweep_of(const options& asked) {
   const std::string device = asked.device.empty() ? devices().front()->name() : asked.device;
-  cost::sweep of{device, {}, {}};
+  cost::sweep of{.device = device, .options = {}, .widths = {}, .format = asked.format};
   if (asked.given.contains("--rounding")) of.roundings = cost::parse_roundings(asked.rounding);
   for (const auto& [name, value] : asked.ranges) of.widths[name] = cost::parse_range(name, value);
   const std::vector<option> own = find_device(device).first->options();
@@ -267,12 +281,19 @@ std::string words_of(const cost::sweep& of, const cost::sweep_point& point) {
   return words;
 }
 
+/// Of a shard that has no row.
+std::string csv_header(const cost::sweep& of, const std::vector<cost::domain>& domains) {
+  const std::vector<cost::sweep_row> one{{points_of(of).first.front(), {}}};
+  const std::string text = cost::csv_of(json_rows(of, one, domains));
+  return text.substr(0, text.find('\n') + 1);
+}
+
 void print_sweep(const options& asked, const cost::sweep& of, const std::vector<cost::sweep_row>& rows) {
   const json printed = json_rows(of, rows, domains_of(asked));
   if (asked.json) {
     fmt::print("{}\n", printed.dump(2));
   } else if (asked.csv) {
-    fmt::print("{}", cost::csv_of(printed));
+    fmt::print("{}", rows.empty() ? csv_header(of, domains_of(asked)) : cost::csv_of(printed));
   } else {
     const cost::metric& by = cost::find_metric(asked.metric);
     const cost::domain where = domain_of(asked);
@@ -293,12 +314,7 @@ void print_sweep(const options& asked, const cost::sweep& of, const std::vector<
 }
 
 void measure(const options& asked) {
-  cost::sweep of = sweep_of(asked);
-  if (!asked.format.empty()) {  // its word lengths, where no range is given
-    const selection named = choose(of.device, asked.format, of.option_lines().front());
-    for (const auto& [name, width] : named.of().widths(named))
-      of.widths.try_emplace(name, cost::width_range{width, width});
-  }
+  const cost::sweep of = sweep_of(asked);
   domains_of(asked);
   cost::find_metric(asked.metric);
   const auto [points, refused] = points_of(of);
@@ -317,6 +333,12 @@ void measure(const options& asked) {
   print_sweep(asked, of, rows);
 }
 
+/// Of rows that are printed with all their errors.
+void refuse_metric(const options& asked) {
+  if (asked.given.contains("--metric"))
+    throw usage_error("--metric chooses one error, and --json and --csv have all, expected one of them");
+}
+
 /// \throws usage_error for an option that would change nothing
 void refuse_unused(const options& asked, bool is_measured) {
   const auto refuse = [&](std::initializer_list<const char*> names, const char* why) {
@@ -331,6 +353,7 @@ void refuse_unused(const options& asked, bool is_measured) {
     refuse({"--clock", "--target"}, " is a condition on what is cheapest, expected --tolerance with it");
   if (asked.has_tolerance)
     refuse({"--csv", "--markdown", "--html"}, " is no form of what is cheapest, expected a text or --json");
+  if (!asked.has_tolerance && (asked.json || asked.csv)) refuse_metric(asked);
   if (is_measured)
     refuse({"--markdown", "--html", "--tolerance", "--measured"},
            ": rows that are measured now have no cost, expected --json, --csv or a table");
@@ -432,7 +455,8 @@ void add_questions(CLI::App& verb, const asked_options& asked) {
                   described(technologies(), &technology::name,
                             [](const technology& of) { return fmt::format("{} in {}", of.unit, of.what); }))
       ->capture_default_str();
-  verb.add_option("--clock", asked->clock, "that the hardware has to reach, such as 50MHz");
+  verb.add_option("--clock", asked->clock,
+                  "least clock of the hardware, such as 50MHz; on the iCE40 that of the slowest seed");
 }
 
 CLI::App* add_forms(CLI::App& verb, const asked_options& asked) {
@@ -476,6 +500,7 @@ void run_merge(const options& asked) {
   }
   cost::find_metric(asked.metric);
   domain_of(asked);
+  if (asked.json || asked.csv) refuse_metric(asked);
   const auto [of, rows] = cost::merge_shards(asked.shards, asked.merged);
   print_sweep(asked, of, rows);
 }
@@ -502,7 +527,8 @@ void add_explore(CLI::App& program, int& status) {
       "  blysk explore --cos 8 --rounding nearest,truncate --metric bias\n"
       "  blysk explore --cos 8..9 --shard 1/2 --output part1\n"
       "  blysk explore --cos 8..9 --shard 2/2 --output part2\n"
-      "  blysk explore merge part1 part2 --output whole");
+      "  blysk explore merge part1 part2 --output whole\n"
+      "Exit status 1: nothing that was measured is within --tolerance.");
   verb->callback([asked, verb, form, merge, &status] {
     for (const CLI::App* group : {static_cast<const CLI::App*>(verb), form}) {
       for (const CLI::Option* each : group->get_options()) {

@@ -36,7 +36,10 @@ void expect_no_empty_value(const CLI::App& program) {
         std::ranges::any_of(values, &std::string::empty))
       throw usage_error(fmt::format("{} is '', expected a value", option->get_name()));
   }
-  for (const CLI::App* verb : program.get_subcommands()) expect_no_empty_value(*verb);
+  // Verbs that were called, and groups of options.
+  for (const CLI::App* each : program.get_subcommands(nullptr)) {
+    if (each->parsed() || each->get_name().empty()) expect_no_empty_value(*each);
+  }
 }
 
 }  // namespace

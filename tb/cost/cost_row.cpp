@@ -139,17 +139,16 @@ nlohmann::ordered_json json_of(const cost_row& row) {
   return result;
 }
 
-nlohmann::ordered_json parse_json(const std::string& path, const std::string& text) {
+nlohmann::ordered_json parse_json(const std::string& path, const std::string& text,
+                                  const std::string& expected) {
   try {
     return json::parse(text);
   } catch (const json::parse_error& error) {
     const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
     throw file_error(path, 1 + static_cast<std::size_t>(std::count(text.begin(), end, '\n')),
-                     "is damaged, expected JSON as scripts/synth and the target update_errors write it");
+                     "is damaged, expected " + expected);
   } catch (const json::out_of_range&) {
-    throw file_error(path, 0,
-                     "is damaged: a number is beyond 1.8e308, expected JSON as scripts/synth and the target "
-                     "update_errors write it");
+    throw file_error(path, 0, "is damaged: a number is beyond 1.8e308, expected " + expected);
   }
 }
 

@@ -80,7 +80,10 @@ cost_row parse_cost_row(const std::string& path, const std::string& text);
 
 /// The JSON text of a file.
 /// \throws usage_error with the line where it goes wrong
-nlohmann::ordered_json parse_json(const std::string& path, const std::string& text);
+nlohmann::ordered_json parse_json(const std::string& path, const std::string& text,
+                                  const std::string& expected =
+                                      "JSON as scripts/synth and the target "
+                                      "update_errors write it");
 
 /// \return  for throwing: "FILE: is damaged: what, expected ..."
 usage_error damaged(const std::string& path, const std::string& what, const std::string& expected);

@@ -39,11 +39,16 @@ std::vector<named_text> texts_of(const std::string& folder) {
     return texts;
   }
   if (!fs::is_directory(folder)) throw file_error(folder, 0, "is no folder, expected one with measured rows");
-  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
-    const std::string name = entry.path().filename().string();
-    if (entry.is_regular_file() && (is_row(name) || name == kHostTimes))
-      texts.push_back({entry.path().string(), read_text(entry.path())});
+  std::error_code failed;
+  fs::path last = folder;
+  for (fs::recursive_directory_iterator entry(folder, failed), end; !failed && entry != end;
+       entry.increment(failed)) {
+    last = entry->path();
+    const std::string name = last.filename().string();
+    if (entry->is_regular_file() && (is_row(name) || name == kHostTimes))
+      texts.push_back({last.string(), read_text(last)});
   }
+  if (failed) throw file_error(last.string(), 0, fmt::format("cannot be read ({})", failed.message()));
   if (texts.empty())
     throw file_error(folder, 0, "holds no measured rows, expected cost_*.json or errors_*.json");
   std::ranges::sort(texts, {}, &named_text::path);

@@ -54,11 +54,13 @@ json json_of(const sweep& of, const shard& part) {
   for (const auto& [name, range] : of.widths) ranges[name] = text_of(range);
   json roundings = json::array();
   for (const specular::rounding how : of.roundings) roundings.push_back(specular::name_of(how));
-  return {{"device", of.device},
-          {"options", of.options},
-          {"word_lengths", ranges},
-          {"roundings", roundings},
-          {"shard", fmt::format("{}/{}", part.index, part.count)}};
+  json result{{"device", of.device},
+              {"options", of.options},
+              {"word_lengths", ranges},
+              {"roundings", roundings},
+              {"shard", fmt::format("{}/{}", part.index, part.count)}};
+  if (!of.format.empty()) result["format"] = of.format;
+  return result;
 }
 
 /// The sweep that a folder belongs to.
@@ -67,9 +69,9 @@ std::pair<sweep, shard> read_description(const fs::path& folder) {
   if (!fs::exists(path))
     throw file_error(folder.string(), 0,
                      fmt::format("has no {}, expected the folder of a sweep", kDescription));
-  const json stored = parse_json(path, read_text(path));
+  const json stored = parse_json(path, read_text(path), "JSON as blysk explore writes it");
   try {
-    sweep of{stored.at("device"), stored.at("options"), {}, {}};
+    sweep of{stored.at("device"), stored.at("options"), {}, {}, stored.value("format", "")};
     for (const auto& [name, range] : stored.at("word_lengths").items())
       of.widths[name] = parse_range(name, range);
     for (const json& name : stored.at("roundings")) of.roundings.push_back(find_rounding(name));
@@ -95,7 +97,8 @@ json head_of(const sweep_point& point) {
 
 /// \param path  for messages
 error_table parse_row(const std::string& path, const std::string& text, const sweep_point& point) {
-  const json stored = parse_json(path, text);
+  const json stored =
+      parse_json(path, text, "JSON as blysk explore writes it; removing the file measures its row again");
   const json head = head_of(point);
   bool is_row = stored.is_object() && stored.contains("domains");
   for (const auto& [key, value] : head.items())
@@ -178,7 +181,7 @@ void check_list(const std::string& option, std::vector<T> list, Name name) {
 /// The combinations at so many bits of the cosine, and how many the laws refuse.
 void add_points(const sweep& of, const option_values& line, int cos, std::vector<sweep_point>& points,
                 std::size_t& refused) {
-  const selection asked = choose(of.device, format_for(cos), line);
+  const selection asked = choose(of.device, of.format.empty() ? format_for(cos) : of.format, line);
   word_lengths bits = asked.of().widths(asked);
   bits["cos"] = cos;
   for (const auto& [name, range] : of.widths) {
@@ -254,7 +257,12 @@ std::vector<specular::rounding> parse_roundings(const std::string& text) {
     for (const specular::named_rounding& each : specular::kRoundings) roundings.push_back(each.which);
     return roundings;
   }
-  for (const std::string& name : split_list(text)) roundings.push_back(find_rounding(name));
+  for (const std::string& name : split_list(text)) {
+    if (name == "all")
+      throw std::invalid_argument(
+          fmt::format("--rounding is {}, expected all alone or a list of names", text));
+    roundings.push_back(find_rounding(name));
+  }
   return roundings;
 }
 
@@ -278,7 +286,7 @@ void sweep::check() const {
     check_list(name, values, [](const std::string& value) { return value; });
   check_list("rounding", roundings, [](specular::rounding how) { return specular::name_of(how); });
   for (const option_values& line : option_lines()) {
-    const selection asked = choose(device, std::string(format_names[0]), line);
+    const selection asked = choose(device, format.empty() ? std::string(format_names[0]) : format, line);
     const word_lengths known = asked.of().widths(asked);
     for (const specular::rounding how : roundings) judge(asked, known, how);
     std::string names;
@@ -298,8 +306,13 @@ void sweep::check() const {
 std::pair<std::vector<sweep_point>, std::size_t> points_of(const sweep& of) {
   of.check();
   std::pair<std::vector<sweep_point>, std::size_t> found;
-  const auto cosines = of.widths.contains("cos") ? of.widths.at("cos") : width_range{16, 16};
   for (const option_values& line : of.option_lines()) {
+    width_range cosines{16, 16};
+    if (!of.format.empty()) {
+      const selection asked = choose(of.device, of.format, line);
+      cosines.first = cosines.last = asked.of().widths(asked).at("cos");
+    }
+    if (of.widths.contains("cos")) cosines = of.widths.at("cos");
     for (int cos = cosines.first; cos <= cosines.last; ++cos)
       add_points(of, line, cos, found.first, found.second);
   }

@@ -50,8 +50,9 @@ struct sweep {
   std::map<std::string, std::vector<std::string>> options;  ///< those given
   std::map<std::string, width_range> widths;                ///< those given
   std::vector<specular::rounding> roundings{specular::rounding::nearest};
+  std::string format{};  ///< whose word lengths those are that no range names; empty: as sweep_point says
 
-  /// \throws std::invalid_argument if the device, an option, a word length or a rounding does not exist, or is there twice
+  /// \throws std::invalid_argument if the device, the format, an option, a word length or a rounding does not exist, or is there twice
   void check() const;
 
   /// One value of each option.

@@ -212,23 +212,25 @@ nlohmann::ordered_json json_rows(const std::vector<configuration>& all, std::spa
 
 namespace {
 
-/// One cell of CSV: numbers and plain words as they are, lists with semicolons.
-std::string csv_cell(const json& value) {
+/// Numbers and words as they are, lists with semicolons.
+std::string text_of(const json& value) {
   if (value.is_null()) return "";
-  if (value.is_string()) {
-    std::string text = value;
-    std::ranges::replace(text, ',', ';');
-    return text;
-  }
+  if (value.is_string()) return value;
   if (value.is_object() || value.is_array()) {
     std::string text;
     for (const auto& [key, element] : value.items()) {
       text += text.empty() ? "" : ";";
-      text += value.is_object() ? key + "=" + csv_cell(element) : csv_cell(element);
+      text += value.is_object() ? key + "=" + text_of(element) : text_of(element);
     }
     return text;
   }
   return value.dump();
+}
+
+/// One cell of CSV, in quotes if it has a comma: no text has quotes.
+std::string csv_cell(const json& value) {
+  const std::string text = text_of(value);
+  return text.find(',') == std::string::npos ? text : '"' + text + '"';
 }
 
 }  // namespace
@@ -350,13 +352,15 @@ std::vector<const configuration*> front_of(const std::vector<configuration>& all
   return front;
 }
 
-std::string html_page(const nlohmann::ordered_json& rows) {
+std::string html_page(const nlohmann::ordered_json& rows, const std::string& metric) {
   constexpr std::string_view kPlace = "/* rows */ []";
+  constexpr std::string_view kMetric = "max_abs_err\");";  // what the page shows first
   std::string page(embedded_pages().front().text);
   std::string text = rows.dump();
   // Nothing in a string may end the script that it stands in.
   for (std::size_t at = text.find("</"); at != std::string::npos; at = text.find("</", at))
     text.replace(at, 2, "<\\/");
+  page.replace(page.find(kMetric), kMetric.size(), metric + "\");");
   return page.replace(page.find(kPlace), kPlace.size(), text);
 }
 

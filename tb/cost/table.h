@@ -69,7 +69,7 @@ std::vector<const configuration*> front_of(const std::vector<configuration>& all
 
 /// One page that needs nothing else: the rows as a picture that shows a row where it is pointed at, and copies its command
 /// where it is clicked.
-std::string html_page(const nlohmann::ordered_json& rows);
+std::string html_page(const nlohmann::ordered_json& rows, const std::string& metric);
 
 /// "0.00123": four digits, or exactly 0.
 std::string number_text(double value);

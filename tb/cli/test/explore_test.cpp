@@ -169,6 +169,15 @@ TEST_CASE("options in other words choose the same rows", "[explore]") {
       if (option["name"] != "stages") continue;
       const std::string name = device["name"];
       CHECK(rows("--device " + name + " --stages 2.0") == rows("--device " + name + " --stages 2"));
+      // A list of cuts is one way to build the device, and some lists are those of a number of stages.
+      std::size_t found = 0;
+      for (const char* cuts : {"1", "2", "3", "1,2", "2,3", "2,4", "2,3,5", "1,2,3,4,5"}) {
+        const json chosen = rows("--device " + name + " --cuts " + cuts);
+        CAPTURE(name, cuts, chosen);
+        found += chosen.size();
+        for (const json& row : chosen) CHECK(row["options"] == chosen[0]["options"]);
+      }
+      CHECK(found > 0);
     }
   }
 }
@@ -187,12 +196,15 @@ TEST_CASE("explore refuses bad use and bad files in one line", "[explore]") {
     CHECK(std::count(failed.err.begin(), failed.err.end(), '\n') == 1);
   };
   for (const char* tolerance : {"0", "nan", "-1", "inf", "x"})
-    fails("--tolerance " + std::string(tolerance), "expected a number above zero");
+    fails("--tolerance " + std::string(tolerance), "expected a finite number above zero");
   fails("--tolerance ''", "--tolerance is '', expected a value");
+  fails("--html ''", "--html is '', expected a value");
+  for (const char* form : {"--csv", "--json", "--cos 4 --csv", "merge a b --output c --json"})
+    fails(std::string(form) + " --metric bias", "--metric chooses one error, and --json and --csv have all");
   fails("--tolerance 1 --metric worst", "metric worst does not exist, expected max_abs_err");
   fails("--tolerance 1 --target ecp5", "target ecp5 does not exist");
   fails("--tolerance 1 --domain all", "domain all does not exist");
-  fails("--tolerance 1 --clock 50kHz", "--clock is 50kHz, expected a number above zero such as 50MHz");
+  fails("--tolerance 1 --clock 50kHz", "--clock is 50kHz, expected a finite number above zero such as 50MHz");
   fails("--metric worst", "metric worst does not exist");
   fails("--clock 50MHz", "expected --tolerance with it");
   fails("--device nothing", "device nothing does not exist");
@@ -214,6 +226,7 @@ TEST_CASE("explore refuses bad use and bad files in one line", "[explore]") {
   fails("--cos 8 --html x.html", "rows that are measured now have no cost");
   fails("--cos 8 --cos 9", "--cos is 8 and 9, expected one of them");
   fails("--cos 4 --rounding up", "rounding up does not exist, expected nearest, even, truncate, jam, or all");
+  fails("--cos 4 --rounding all,even", "--rounding is all,even, expected all alone or a list of names");
   fails("--cos 4 --rounding ''", "--rounding is '', expected a value");
   fails("--cos 4 --rounding jam,jam", "--rounding has jam twice, expected each once");
   fails("--rounding truncate --tolerance 1", "rows that are measured now have no cost");
@@ -288,6 +301,61 @@ TEST_CASE("explore measures errors at word lengths of one's own", "[explore]") {
   CHECK(json::parse(run_blysk(folder, arguments + " --domain whole --json").out) == named);
   const outcome table = run_blysk(folder, arguments + " --csv --domain whole");
   CHECK(std::count(table.out.begin(), table.out.end(), '\n') == 2);
+}
+
+TEST_CASE("each value of an option has the word lengths of its own format", "[explore]") {
+  const scratch folder;
+  const auto measured = [&](const std::string& arguments) {
+    const outcome run =
+        run_blysk(folder, "explore --measure --format q8 --domain epicentre --json " + arguments);
+    return run.status == 0 ? json::parse(run.out) : json();
+  };
+  int pairs = 0;
+  for (const json& device : json::parse(run_blysk(folder, "list --json").out)["devices"]) {
+    for (const auto& option : device["options"]) {
+      if (option["values"].size() < 2) continue;
+      const std::string words =
+          "--device " + device["name"].get<std::string>() + " --" + option["name"].get<std::string>() + " ";
+      const std::string a = option["values"][0], b = option["values"][1];
+      const json of_a = measured(words + a), of_b = measured(words + b);
+      if (of_a.empty() || of_b.empty()) continue;  // it shades no point
+      CAPTURE(words);
+      ++pairs;
+      CHECK(measured(words + a + "," + b) == json{of_a[0], of_b[0]});
+      CHECK(measured(words + b + "," + a) == json{of_b[0], of_a[0]});
+    }
+  }
+  CHECK(pairs >= 3);
+}
+
+TEST_CASE("a table of CSV has a header, and a comma in a cell is in quotes", "[explore]") {
+  const scratch folder;
+  const std::string sweep = "explore --csv --domain epicentre --cos 8 ";
+  const outcome full = run_blysk(folder, sweep + "--shard 1/2");
+  const outcome none = run_blysk(folder, sweep + "--shard 2/2");
+  CHECK(none.status == 0);
+  CHECK(full.out.starts_with(none.out));
+  CHECK(std::count(none.out.begin(), none.out.end(), '\n') == 1);
+  CHECK(none.out.starts_with("device,"));
+
+  for (const json& device : json::parse(run_blysk(folder, "list --json").out)["devices"]) {
+    for (const auto& option : device["options"]) {
+      if (option["name"] != "cuts") continue;
+      const std::string words = device["name"].get<std::string>() + " --cuts 2,4";
+      const std::string row = run_blysk(folder, sweep + "--device " + words).out;
+      CHECK_THAT(row, ContainsSubstring(words + " --") && !ContainsSubstring(";4"));
+      CHECK_THAT(row, ContainsSubstring(",\"build/bin/blysk explore --device " + words));
+      // The fields of each line, what is in quotes as one.
+      std::size_t fields[2] = {0, 0}, line = 0;
+      bool is_quoted = false;
+      for (const char each : row) {
+        if (each == '"') is_quoted = !is_quoted;
+        if (each == ',' && !is_quoted) ++fields[line];
+        if (each == '\n' && line < 1) ++line;
+      }
+      CHECK(fields[0] == fields[1]);
+    }
+  }
 }
 
 TEST_CASE("a sweep that was killed goes on with nothing lost", "[explore]") {

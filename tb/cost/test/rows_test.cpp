@@ -205,7 +205,8 @@ TEST_CASE("rows of JSON have the keys that programs read, and CSV the same", "[c
 TEST_CASE("the page of HTML holds the rows and needs no other file", "[cost]") {
   auto rows = json_rows({row_of("q8", 100, 40, 0.5)}, std::array{domain::lobe});
   rows[0]["command"] = "</script><b>";
-  const std::string page = html_page(rows);
+  const std::string page = html_page(rows, "rms_err");
+  CHECK_THAT(page, ContainsSubstring("fill(\"error\", errors, \"rms_err\");"));
   CHECK_THAT(page, ContainsSubstring("\"max_abs_err\":0.5"));
   CHECK_THAT(page, !ContainsSubstring("</script><b>"));
   for (const char* outside : {"src=", "href=", "@import", "url(", "fetch("})
