@@ -485,7 +485,9 @@ void add_measuring(CLI::App& verb, const asked_options& asked) {
 }
 
 CLI::App* add_merge(CLI::App& verb, const asked_options& asked) {
-  auto* merge = verb.add_subcommand("merge", "Bring the folders of all shards together");
+  auto* merge = verb.add_subcommand(
+      "merge",
+      "Bring the folders of all shards together; --json, --csv, --metric and --domain of explore go with it");
   merge->fallthrough();  // --json and others stand behind it too
   merge->add_option("FOLDERS", asked->shards, "of the shards")->required();
   merge->add_option("--output", asked->merged, "folder for the whole, empty or new")->required();
