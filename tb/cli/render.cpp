@@ -127,6 +127,7 @@ void animate(const render_options& asked, scene::world& of, const std::vector<st
   std::uint64_t writes = 0;
   for (int frame = 0; frame < made.frames(); ++frame) {
     const double turn_rad = 2 * golden::pi<double>() * frame / made.frames();
+    const render::circumstances before = around();
     if (frame > 0) of.surface = scene::turned(still, middle, of.view->up, turn_rad);
     const render::outcome done = render_shown(job, fmt::format("frame {} of {}", frame + 1, made.frames()));
     output_file picture(made.path(frame));
@@ -135,7 +136,7 @@ void animate(const render_options& asked, scene::world& of, const std::vector<st
     picture.commit();
     if (report) {
       report->write(frame == 0 ? "[\n" : ",\n");
-      report->write(render::report_json(job, done, around()));
+      report->write(render::report_json(job, done, render::since(before, around())));
     }
     writes += done.device_writes;
   }
@@ -143,9 +144,9 @@ void animate(const render_options& asked, scene::world& of, const std::vector<st
   if (report) {
     report->write("]\n");
     report->close();
+    report->commit();  // it is there whatever becomes of the film
   }
   made.make_film();
-  if (report) report->commit();
   fmt::print(takes_stdout(asked) ? stderr : stdout,
              "{} frames of {} x {}: {} device writes, {:.2f} s, {:.1f} frames/s\n", made.frames(), job.width,
              job.height, writes, taken.count(), made.frames() / taken.count());
@@ -183,6 +184,12 @@ void run(const CLI::App& verb, render_options asked) {
                   .units = units.source(),
                   .spans = spans.source()};
   set_options(asked, job);
+  std::unique_ptr<engine> law;
+  std::optional<render::lobe_table> lobes;
+  if (job.asked == render::effects::automatic && render::needs_device(read.of, job.asked)) {
+    law = source.make_law();
+    job.lobes = &lobes.emplace(device, *law);
+  }
   const auto watch = watch_of(asked, job);
   const auto around = [&] {
     render::circumstances in{asked.scene,      asked.engine,
@@ -225,6 +232,8 @@ void run(const CLI::App& verb, render_options asked) {
   render::outcome made = render_shown(job, "shading");
   traced.stop();
   traced_units.stop();
+  if (!asked.watch.empty() && made.watched_writes == 0)
+    say("blysk", "--watch: no watched pixel is in a highlight, so the device has no write of them");
   made.host_s["reading"] = reading.count();
   const render::circumstances in = around();
   files.write(job, made, in);

@@ -269,7 +269,8 @@ void take_presets(const CLI::App& verb, const std::map<std::string, scene::given
       {"shading", &to.shading, [&] { render::find_shading(to.shading); }},
       {"perspective", &to.perspective, [&] { is_corrected(to.perspective); }},
       {"engine", &to.engine, [&] { find_engine(to.engine); }},
-      {"device", &to.device.device, [&] { find_device(to.device.device); }},
+      {"device", &to.device.device,
+       [&] { render::device_ports unused(choose(to.device.device, to.device.format)); }},
       {"format", &to.device.format, [&] { choose(devices().front()->name(), to.device.format); }},
       {"normalisation", &to.normalisation, [&] { normalisation_of(to.normalisation); }}};
   for (const preset& each : presets) {
@@ -296,6 +297,17 @@ void expect_sound(const CLI::App& verb, const render_options& asked) {
     throw usage_error("--film is made of frames, expected --animate N");
   if (!makes_files(asked) && !asked.explains)
     throw usage_error("nothing to do, expected --output, --report, --compare or --explain");
+  if (!makes_files(asked)) {
+    const std::pair<const char*, bool> of_pictures[]{{"--animate", asked.frames > 0},
+                                                     {"--vcd", !asked.vcd.empty()},
+                                                     {"--units-vcd", !asked.units_vcd.empty()},
+                                                     {"--watch", !asked.watch.empty()}};
+    for (const auto& [name, is_given] : of_pictures) {
+      if (is_given)
+        throw usage_error(
+            fmt::format("{} is of a picture, expected --output, --report or --compare with it", name));
+    }
+  }
   if (!asked.vcd.empty() && asked.watch.empty() && asked.engine != "systemc") {
     throw usage_error(fmt::format(
         "--vcd records signals and engine {} has none, expected --watch or engine systemc", asked.engine));

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -27,7 +28,10 @@ void for_each_in_parallel(std::size_t count, unsigned threads, const Work& work)
     }
   };
   std::vector<std::jthread> others;
-  for (unsigned worker = 1; worker < threads; ++worker) others.emplace_back(run, worker);
+  try {
+    for (unsigned worker = 1; worker < threads; ++worker) others.emplace_back(run, worker);
+  } catch (const std::system_error&) {  // the machine gives no more of them: those that there are do it all
+  }
   run(0);
   others.clear();
   if (error) std::rethrow_exception(error);

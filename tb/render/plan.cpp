@@ -50,9 +50,11 @@ light_plan plan_light(const scene::material& of, const scene::light& from, bool 
 
 /// Where the lobe begins, and what its results are multiplied by.
 void add_lobe(lobe_table* table, int cos_fraction, normalisation by, light_plan& each) {
-  each.lobe_begin = table->begin(each.n);
-  each.below_lobe =
-      std::ldexp(static_cast<double>(std::max<std::int64_t>(0, each.lobe_begin - 1)), -cos_fraction);
+  if (table != nullptr) {
+    each.lobe_begin = table->begin(each.n);
+    each.below_lobe =
+        std::ldexp(static_cast<double>(std::max<std::int64_t>(0, each.lobe_begin - 1)), -cos_fraction);
+  }
   each.energy = energy_of(by, each.n, cos_fraction);
 }
 
@@ -91,7 +93,7 @@ bool plan::has_specular() const {
 }
 
 std::vector<light_set> plan::specular_lights() const {
-  static_assert(kMostLights <= 64);
+  static_assert(kMostLights <= 64 && kMostLights == scene::kMostLights);
   std::vector<light_set> all(ambient.size(), 0);
   for (std::uint32_t material = 0; material < all.size(); ++material) {
     for (std::size_t k = 0; k < lights; ++k) all[material] |= light_set{at(material, k).has_specular} << k;

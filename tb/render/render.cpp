@@ -250,7 +250,7 @@ class frame {
   /// Around the pixel with the largest N.H of a light with a highlight.
   rectangle row_through_highlight() const {
     point_source::cursor near;
-    double best = -1;
+    double best = 0;
     std::size_t place = 0;
     for (std::size_t i = 0; i < seen_.pixels(); ++i) {
       if (seen_.triangle[i] == kNoTriangle) continue;
@@ -416,12 +416,12 @@ plan plan_of(const job& asked) {
   }
   std::unique_ptr<engine> law;
   std::optional<lobe_table> table;
-  if (needs_device(*asked.of, asked.asked)) {
+  lobe_table* lobes = asked.lobes;
+  if (lobes == nullptr && asked.asked != effects::all && needs_device(*asked.of, asked.asked)) {
     law = asked.device->make_law();
-    table.emplace(device, *law);
+    lobes = &table.emplace(device, *law);
   }
-  plan made = make_plan(*asked.of, asked.asked, table ? &*table : nullptr, ports.cos_fraction(),
-                        device.top_name(), asked.energy);
+  plan made = make_plan(*asked.of, asked.asked, lobes, ports.cos_fraction(), device.top_name(), asked.energy);
   if (asked.units != nullptr) {
     made.reasons.push_back(fmt::format("ambient, diffuse, the sum and saturation run in {}, engine {}",
                                        asked.units->device.top_name(), asked.units->name));

@@ -52,6 +52,7 @@ struct job {
   normalisation energy = normalisation::none;  ///< of the specular terms
   unsigned threads = 1;
   const device_source* device;
+  lobe_table* lobes = nullptr;             ///< kept from picture to picture; null: made for each
   const attached_device* units = nullptr;  ///< of the effects; null: their laws on the host
   const attached_device* spans =
       nullptr;  ///< of shading gouraud: rows of a triangle's pixels; null: in double on the host

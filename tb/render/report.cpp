@@ -60,6 +60,15 @@ std::string_view verdict(std::optional<double> measured) {
   return "strong difference";
 }
 
+circumstances since(const circumstances& before, circumstances now) {
+  now.simulated_ns -= before.simulated_ns;
+  now.cycles -= before.cycles;
+  now.delta_cycles -= before.delta_cycles;
+  now.unit_cycles -= before.unit_cycles;
+  if (now.process_runs) *now.process_runs -= before.process_runs.value_or(0);
+  return now;
+}
+
 std::string report_json(const job& asked, const outcome& of, const circumstances& in) {
   const distance off = distance_of(of.reference, of.image);
   const nlohmann::ordered_json nmse =

@@ -37,6 +37,9 @@ struct circumstances {
   std::vector<std::string> messages = {};
 };
 
+/// What was counted since another picture of the same run.
+circumstances since(const circumstances& before, circumstances now);
+
 /// The report as JSON; docs/scenes.md describes the keys.
 std::string report_json(const job& asked, const outcome& of, const circumstances& in);
 

@@ -138,7 +138,9 @@ void take_shading(const aiMaterial& from, raw_material& to) {
 /// Ks times how strong the highlight is said to be.
 void take_strength(const aiMaterial& from, raw_material& to) {
   float strength = 1;
-  if (!to.ks || from.Get(AI_MATKEY_SHININESS_STRENGTH, strength) != aiReturn_SUCCESS || strength == 1) return;
+  if (!to.ks || from.Get(AI_MATKEY_SHININESS_STRENGTH, strength) != aiReturn_SUCCESS ||
+      std::abs(strength - 1) < 1e-4)  // 3DS has percents
+    return;
   for (double& each : *to.ks) each *= strength;
   to.notes.push_back(fmt::format("Ks times its strength {:.4g}", strength));
 }
@@ -149,6 +151,8 @@ void note_textures(const aiMaterial& from, raw_material& to) {
     count += from.GetTextureCount(static_cast<aiTextureType>(each));
   if (count > 0) to.notes.emplace_back("textures dropped");
   float number = 0;
+  // Where a file has glossiness, the library makes the two up.
+  if (from.Get(AI_MATKEY_GLOSSINESS_FACTOR, number) == aiReturn_SUCCESS) return;
   if (from.Get(AI_MATKEY_METALLIC_FACTOR, number) == aiReturn_SUCCESS ||
       from.Get(AI_MATKEY_ROUGHNESS_FACTOR, number) == aiReturn_SUCCESS)
     to.notes.emplace_back("metallic and roughness factors dropped");
@@ -224,9 +228,14 @@ void append(const aiMesh& from, std::size_t materials, mesh_builder& to, undrawn
   }
 }
 
-/// What the library gives to a file without a material: a name of its own or none, no exponent, and for PLY one grey for
-/// diffuse and specular light.
-bool is_missing(const aiMaterial& of) {
+/// What the library gives to a file, or a mesh, without a material: to 3DS a name that no file has; to OFF, which has no
+/// materials, and to PLY and glTF one without a name, of one grey for diffuse and specular light or white; to others a name
+/// of its own, without an exponent.
+bool is_missing(const aiMaterial& of, const std::string& ending, bool is_last) {
+  const std::string_view called = of.GetName().C_Str();
+  if (called == "%%%DEFAULT" || ending == ".off") return true;
+  if (ending == ".gltf" || ending == ".glb")
+    return is_last && called.empty() && colour_of(of, AI_MATKEY_COLOR_DIFFUSE) == rgb{1, 1, 1};
   float exponent = 0;
   if (of.Get(AI_MATKEY_SHININESS, exponent) == aiReturn_SUCCESS) return false;
   const std::string_view name = of.GetName().C_Str();
@@ -261,12 +270,19 @@ library_mesh import(const std::string& path, std::vector<std::string>& messages)
     throw usage_error(fmt::format("cannot be read ({}), expected a mesh that the library assimp reads",
                                   importer.GetErrorString()));
   mesh_builder built;
+  std::vector<bool> is_used(read->mNumMaterials, false);
+  for (unsigned i = 0; i < read->mNumMeshes; ++i) {
+    if (read->mMeshes[i]->mMaterialIndex < is_used.size()) is_used[read->mMeshes[i]->mMaterialIndex] = true;
+  }
+  const std::string ending = ending_of(path);
   for (unsigned i = 0; i < read->mNumMaterials; ++i) {
-    if (is_missing(*read->mMaterials[i])) {
-      messages.emplace_back("no material in the file, a plain one taken");
+    std::vector<std::string> of_unused;
+    std::vector<std::string>& said = is_used[i] ? messages : of_unused;
+    if (is_missing(*read->mMaterials[i], ending, i + 1 == read->mNumMaterials)) {
+      said.emplace_back("no material in the file, or of a mesh, a plain one taken");
       built.materials.push_back(plain_material());
     } else {
-      built.materials.push_back(make_legal(material_of(*read->mMaterials[i]), messages));
+      built.materials.push_back(make_legal(material_of(*read->mMaterials[i]), said));
     }
   }
   undrawn left;

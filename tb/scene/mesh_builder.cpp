@@ -158,6 +158,7 @@ void mesh_builder::append(const corner& a, const corner& b, const corner& c, std
   }
   triangles_.push_back(made);
   smoothing_.push_back(smoothing);
+  polygon_.push_back(polygons_);
 }
 
 vec mesh_builder::area_of(const triangle& of) const {
@@ -167,6 +168,7 @@ vec mesh_builder::area_of(const triangle& of) const {
 
 void mesh_builder::add(std::span<const corner> polygon, std::uint32_t material, std::int32_t smoothing) {
   bool is_crossed = false;
+  ++polygons_;
   if (polygon.size() > 3) {
     std::vector<vec> corners;
     for (const corner& each : polygon) corners.push_back(positions[each.position]);
@@ -208,6 +210,13 @@ void mesh_builder::compute_normals(std::vector<std::string>& messages) {
   if (std::ranges::none_of(triangles_, lacks)) return;
   std::vector<vec> areas;
   for (const triangle& each : triangles_) areas.push_back(area_of(each));
+  // The triangles of a polygon stand side by side; each gets the area of all.
+  for (std::size_t first = 0, end = 0; first < areas.size(); first = end) {
+    vec sum{0, 0, 0};
+    for (; end < areas.size() && polygon_[end] == polygon_[first]; ++end) sum = sum + areas[end];
+    std::fill(areas.begin() + static_cast<std::ptrdiff_t>(first),
+              areas.begin() + static_cast<std::ptrdiff_t>(end), sum);
+  }
   const faces_by_place around(positions, triangles_);
   std::size_t count = 0;
   std::size_t crowded = 0;
@@ -219,7 +228,7 @@ void mesh_builder::compute_normals(std::vector<std::string>& messages) {
       const std::span<const std::uint32_t> faces = around.of(triangles_[i].position[k]);
       if (faces.size() > kMostFaces) ++crowded;
       const vec mean = golden::normalised(smooth_area(i, faces, areas));
-      normals.push_back(dot(mean, mean) > 0 ? mean : golden::normalised(areas[i]));
+      normals.push_back(dot(mean, mean) > 0 ? mean : golden::normalised(area_of(triangles_[i])));
       ++count;
     }
   }
@@ -240,8 +249,9 @@ vec mesh_builder::smooth_area(std::uint32_t face, std::span<const std::uint32_t>
            dot(golden::normalised(areas[face]), golden::normalised(areas[other])) > kCrease;
   };
   vec sum{0, 0, 0};
-  for (const std::uint32_t other : around) {
-    if (is_smooth_with(other)) sum = sum + areas[other];
+  for (std::size_t i = 0; i < around.size(); ++i) {
+    const bool is_again = i > 0 && polygon_[around[i]] == polygon_[around[i - 1]];
+    if (!is_again && is_smooth_with(around[i])) sum = sum + areas[around[i]];
   }
   return sum;
 }

@@ -80,7 +80,12 @@ void read_property(const std::string& path, const text_lines& line, raw_material
   } else if (keyword == "d" || keyword == "Tr") {
     std::string_view value = line.value();
     if (value.starts_with("-halo")) take_word(value);
-    const auto opacity = number_of(value);
+    std::string_view rest = value;
+    const std::string_view word = take_word(rest);
+    const auto opacity = number_of(word);
+    if (!opacity)
+      throw file_error(path, line.number(),
+                       fmt::format("{} is '{}', expected a number", keyword, shown(word)));
     if (opacity != (keyword == "d" ? 1.0 : 0.0))
       to.notes.push_back(fmt::format("{} {} dropped, surfaces are opaque", keyword, printable(value)));
   } else if (!is_ignored(keyword)) {

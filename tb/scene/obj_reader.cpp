@@ -30,6 +30,7 @@ class obj_reader {
     }
     check_last("vertex", highest_vertex_, built_.positions.size());
     check_last("normal", highest_normal_, built_.normals.size());
+    check_last("texture coordinate", highest_texture_, textures_);
     add_faces();
     if (built_.triangles() == 0) throw file_error(path_, 0, "has no triangle with an area, expected one");
     report_dropped();
@@ -64,7 +65,11 @@ class obj_reader {
       read_libraries(value);
     } else if (keyword == "s") {
       smoothing_ = read_group(value);
-    } else if (keyword != "vt" && keyword != "g" && keyword != "o") {
+    } else if (keyword == "vt") {
+      const std::string_view word = take_word(value);
+      if (!number_of(word)) fail(fmt::format("texture coordinate has '{}', expected a number", shown(word)));
+      ++textures_;
+    } else if (keyword != "g" && keyword != "o") {
       ++dropped_[fmt::format("lines '{}'", printable(keyword.substr(0, 20)))];
     }
   }
@@ -100,12 +105,18 @@ class obj_reader {
     return group;
   }
 
-  /// "12", "12/3", "12//4", "12/3/4": the first and third are read; from 1, or from the end if negative.
+  /// "12", "12/3", "12//4", "12/3/4": the second, of a texture, is only checked; from 1, or from the end if negative.
   mesh_builder::corner read_corner(std::string_view word) {
     const auto slash = word.find('/');
     const auto second = slash == std::string_view::npos ? slash : word.find('/', slash + 1);
     mesh_builder::corner corner{};
     corner.position = read_index("vertex", word.substr(0, slash), built_.positions.size(), highest_vertex_);
+    if (slash != std::string_view::npos) {
+      const std::string_view texture = word.substr(slash + 1, second - slash - 1);
+      if (!texture.empty()) read_index("texture coordinate", texture, textures_, highest_texture_);
+    }
+    if (second == word.size() - 1)
+      fail(fmt::format("corner '{}' ends in a slash, expected the index of a normal behind it", shown(word)));
     if (second != std::string_view::npos)
       corner.normal = read_index("normal", word.substr(second + 1), built_.normals.size(), highest_normal_);
     return corner;
@@ -231,7 +242,8 @@ class obj_reader {
   mesh_builder built_;
   std::vector<mesh_builder::corner> corners_;
   std::vector<face> faces_;
-  used highest_vertex_, highest_normal_;
+  used highest_vertex_, highest_normal_, highest_texture_;
+  std::size_t textures_ = 0;  // coordinates
   std::map<std::string, raw_material> known_;
   std::map<std::string, std::uint32_t> names_;
   std::vector<std::string> uses_;

@@ -47,6 +47,8 @@ struct mesh {
   static constexpr double kLargest = 1e30;
 };
 
+inline constexpr std::size_t kMostLights = 64;  ///< that a renderer takes
+
 struct light {
   bool is_point = false;   ///< at a place; else far away
   vec at{0.4, 0.5, 0.75};  ///< its place, or the direction towards it, of any length above 0

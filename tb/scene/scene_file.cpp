@@ -234,6 +234,8 @@ read_world read_scene_file(const std::string& path, const std::string& text, int
     } else if (key == "lights") {
       made.lights.clear();
       for (const field& each : value.elements()) made.lights.push_back(read_light(each));
+      if (made.lights.size() > kMostLights)
+        value.fail(fmt::format("has {} lights, expected at most {}", made.lights.size(), kMostLights));
     } else if (key == "ambient" || key == "background") {
       (key == "ambient" ? made.ambient : made.background) = value.colour();
     } else if (key == "camera") {
