@@ -10,6 +10,17 @@ namespace blysk {
 namespace {
 
 constexpr std::size_t kBatch = 4096;
+constexpr std::size_t kPortsADraw = 4;  // each takes other bits of it as its upper ones
+
+/// Another draw of a sequence for each group of ports: a bijection, so that it visits all numbers too (the finish of
+/// MurmurHash3). Group 0 has the sequence itself.
+std::uint32_t draw_of(std::uint32_t sequence, std::size_t group) {
+  if (group == 0) return sequence;
+  std::uint32_t bits = sequence + static_cast<std::uint32_t>(group) * 0x9e3779b9u;
+  bits = (bits ^ bits >> 16) * 0x85ebca6bu;
+  bits = (bits ^ bits >> 13) * 0xc2b2ae35u;
+  return bits ^ bits >> 16;
+}
 
 __extension__ typedef unsigned __int128 wide;  // NOLINT(modernize-use-using): __extension__ takes no alias
 
@@ -55,10 +66,12 @@ batcher::batcher(const selection& asked, use_batch use)
 void batcher::add(std::span<const std::int64_t> codes) {
   for (std::size_t i = 0; i < codes.size(); ++i) rows_[i].set(size_, codes[i]);
   sequence_ = sequence_ * 1664525u + 1013904223u;
-  int shift = 0;
-  for (std::size_t i = codes.size(); i < data_.size(); ++i, shift += 8) {
+  for (std::size_t i = codes.size(); i < data_.size(); ++i) {
     const wire_format& format = *data_[i].carries;
-    const std::uint32_t bits = std::rotl(sequence_, shift);  // a sequence's upper bits are its best ones
+    const std::size_t beside = i - codes.size();
+    // A sequence's upper bits are its best ones.
+    const std::uint32_t bits =
+        std::rotl(draw_of(sequence_, beside / kPortsADraw), static_cast<int>(beside % kPortsADraw) * 8);
     rows_[i].set(size_, format.min + static_cast<std::int64_t>(wide{bits} * codes_of(format) >> 32));
   }
   if (++size_ == kBatch) flush();

@@ -73,6 +73,7 @@ bool line_reader::next(bool may_wait) {
   line_ = begin_;
   const std::size_t line_end = newline == nullptr ? end_ : static_cast<std::size_t>(newline - buffer_.data());
   begin_ = newline == nullptr ? end_ : line_end + 1;
+  has_end_ = newline != nullptr;
   text_ = {buffer_.data() + line_, line_end - line_};
   ++number_;
   constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";

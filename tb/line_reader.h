@@ -34,6 +34,9 @@ class line_reader {
   std::string_view text() const { return text_; }
   std::size_t number() const { return number_; }
 
+  /// Whether a line feed ends the line; the last one of a file may have none.
+  bool has_end() const { return has_end_; }
+
   /// The error of the line.
   usage_error error(std::string_view what) const { return file_error(path_, number_, what); }
 
@@ -55,6 +58,7 @@ class line_reader {
   std::vector<char> buffer_;
   std::size_t line_ = 0, begin_ = 0, end_ = 0;  // the line, what follows it, and the end of what was read
   bool is_ended_ = false;
+  bool has_end_ = true;
   std::size_t bytes_read_ = 0;
   std::string_view text_;
   std::size_t number_ = 0;

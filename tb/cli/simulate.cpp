@@ -164,7 +164,8 @@ void report(const options& asked, const selection& device, const outcome& run, c
     const auto ns = [](std::uint64_t ps) { return static_cast<double>(ps) / 1000; };
     json["period_ns"] = timed.period_ns;
     json["bound_ns"] = timed.bound_ps / 1e3;
-    json["settled_ns"] = ns(timed.settled_after);
+    const bool has_settled = timed.rows > timed.early;
+    json["settled_ns"] = has_settled ? nlohmann::ordered_json(ns(timed.settled_after)) : nullptr;
     json["busy_ns"] = ns(timed.busy_for);
     json["early"] = timed.early;
     nlohmann::ordered_json& first = json["early_strobes"] = nlohmann::ordered_json::array();
@@ -181,8 +182,11 @@ void report(const options& asked, const selection& device, const outcome& run, c
     }
     if (timed.early > timed.first.size())
       fmt::print(stderr, "blysk: {} rows more have such a strobe\n", timed.early - timed.first.size());
-    text += fmt::format(", period {} ns, last change of an output {:.3f} ns after its clock edge, {} early",
-                        timed.period_ns, ns(timed.settled_after), timed.early);
+    text += fmt::format(", period {} ns", timed.period_ns);
+    if (has_settled)
+      text += fmt::format(", last change of an output {:.3f} ns after its clock edge{}",
+                          ns(timed.settled_after), timed.early > 0 ? " in the rows that settle" : "");
+    text += fmt::format(", {} early", timed.early);
   }
   text += fmt::format(": {:.2f} s, {:.0f} rows/s", run.seconds, rate);
   fmt::print(is_standard_output(asked.results) ? stderr : stdout, "{}\n", asked.json ? json.dump(2) : text);
@@ -217,13 +221,8 @@ void look_at_strobes(timed_run& run, const std::vector<port>& results, const row
   for (std::size_t row = 0; row < block.writes.size(); ++row) {
     ++run.rows;
     const harness::write_timing& timing = run.device->timings()[row];
-    run.settled_after = std::max(run.settled_after, timing.settled_after);
     run.busy_for = std::max(run.busy_for, timing.busy_for);
-    if (settling != nullptr) {
-      settling->write(fmt::format("{},{:.3f},{:.3f}\n", run.rows,
-                                  static_cast<double>(timing.settled_after) / 1000,
-                                  static_cast<double>(timing.busy_for) / 1000));
-    }
+    const std::uint64_t early_before = run.early;
     for (std::size_t i = 0; i < results.size(); ++i) {
       const std::int64_t got = block.computed[i].get(row);
       const std::int64_t expected = run.right[i].get(row);
@@ -233,6 +232,14 @@ void look_at_strobes(timed_run& run, const std::vector<port>& results, const row
       ++run.early;
       break;
     }
+    // What the strobe of an early row cut short has not settled.
+    const bool has_settled = run.early == early_before;
+    if (has_settled) run.settled_after = std::max(run.settled_after, timing.settled_after);
+    if (settling == nullptr) continue;
+    const std::string settled =
+        has_settled ? fmt::format("{:.3f}", static_cast<double>(timing.settled_after) / 1000) : "";
+    settling->write(
+        fmt::format("{},{},{:.3f}\n", run.rows, settled, static_cast<double>(timing.busy_for) / 1000));
   }
 }
 
@@ -304,9 +311,10 @@ void add_simulate(CLI::App& program, int& status) {
           "CSV of the device's stimulus, see blysk list: n 1..1000, cos in [0, 1], colours 0..255 under the "
           "header n,cos,r,g,b; other columns are passed over; - for standard input")
       ->required();
-  verb->add_option(
-          "--results", asked->results,
-          "CSV to write: the stimulus as the device takes it, and the results; - for standard output")
+  verb->add_option("--results", asked->results,
+                   "CSV to write: the stimulus as the device takes it, or line and pixel, and the results; - "
+                   "for standard "
+                   "output")
       ->required();
   verb->add_option(
       "--vcd", asked->vcd,

@@ -176,7 +176,16 @@ void answer_reader::parse(answers& block) {
     }
     codes.push_back(code);
   }
-  for (std::size_t i = 0; i < out_.size(); ++i) block.out[i].push_back(take(out_[i]));
+  for (std::size_t i = 0; i < out_.size(); ++i) {
+    // A file that was cut ends within a word.
+    const std::string_view before = text;
+    block.out[i].push_back(take(out_[i]));
+    const auto digits = static_cast<std::size_t>(out_[i].width() + 3) / 4;
+    if (!lines_.has_end() && text.empty() &&
+        before.size() - (before.find_first_not_of(' ') + text.size()) < digits)
+      throw lines_.error(
+          fmt::format("ends within {}, expected its {} digits or a line feed", out_[i].column, digits));
+  }
   if (const std::string_view more = take_word(text); !more.empty()) {
     throw lines_.error(
         fmt::format("has '{}' at its end, expected {} {}", shown(more), names_of(in_), names_of(out_)));

@@ -138,16 +138,17 @@ module {0}_bench;
   endtask
 
   initial begin
-    if (!$value$plusargs("vectors=%s", path)) path = "vectors.txt";
-    vectors = $fopen(path, "r");
-    if (vectors == 0) begin
-      $display("%0s cannot be read, expected what blysk vectors writes; +vectors=FILE names it", path);
-      $finish(1);
-    end
+    // First of all the answers of an earlier run go: nobody takes them for those of this one.
     if (!$value$plusargs("answers=%s", path)) path = "answers.txt";
     answers = $fopen(path, "w");
     if (answers == 0) begin
       $display("%0s cannot be written, expected a file for the answers; +answers=FILE names it", path);
+      $finish(1);
+    end
+    if (!$value$plusargs("vectors=%s", path)) path = "vectors.txt";
+    vectors = $fopen(path, "r");
+    if (vectors == 0) begin
+      $display("%0s cannot be read, expected what blysk vectors writes; +vectors=FILE names it", path);
       $finish(1);
     end
     taken = $fgets(header, vectors);
