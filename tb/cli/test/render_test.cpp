@@ -167,12 +167,33 @@ TEST_CASE("no result replaces a file that was read, nor a frame another result",
   CHECK(run.err.find("a-0002.png: is given by --report and --output") != std::string::npos);
 }
 
+namespace {
+
+std::string lights_of(int count) {
+  std::string text;
+  for (int i = 0; i < count; ++i) text += std::string(i == 0 ? "" : ", ") + "{\"direction\": [0, 0, 1]}";
+  return text;
+}
+
+/// A device that a scene cannot have.
+std::string device_without_points(const scratch& folder) {
+  for (const json& each : json::parse(run_blysk(folder, "list --json").out)["devices"]) {
+    const json& first = each["stimulus"][0];
+    if (first["name"] != "n" || each["stimulus"].size() != 5) return each["name"];
+  }
+  return "";
+}
+
+}  // namespace
+
 TEST_CASE("what a scene file has wrong is said with file and line", "[cli][render]") {
   const scratch folder;
   for (const auto& [member, words] : std::vector<std::pair<std::string, std::string>>{
            {"\"shading\": \"Phong\"", "s.JSON:2: shading: shading Phong does not exist"},
            {"\"engine\": \"x\"", "s.JSON:2: engine: "},
            {"\"device\": \"x\"", "s.JSON:2: device: "},
+           {"\"lights\": [" + lights_of(65) + "]", "s.JSON:2: lights: has 65 lights, expected at most 64"},
+           {"\"device\": \"" + device_without_points(folder) + "\"", "s.JSON:2: device: "},
            {"\"format\": \"q9\"", "s.JSON:2: format: "},
            {"\"normalisation\": \"x\"", "s.JSON:2: normalisation: "},
            {"\"perspective\": \"x\"", "s.JSON:2: perspective: "}}) {
@@ -229,6 +250,48 @@ TEST_CASE("a PLY file that ends early is refused, and one without a material is 
   CHECK(rendered(folder, in(folder, "b.ply") + " --size 8x8")["triangles"] == 1);
   folder.write("b.ply", "ply\nformat binary_little_endian 1.0\n" + head + binary.substr(0, 48));
   refuses(folder, in(folder, "b.ply"), "b.ply: has 0 of 1 elements 'face', expected all of them");
+}
+
+TEST_CASE("a file of the library without a material is plain, and what it does not use is not spoken of",
+          "[cli][render]") {
+  const scratch folder;
+  folder.write("t.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+  const auto gltf = [&](const std::string& name, const std::string& materials, const std::string& of_mesh) {
+    const std::string points(
+        "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA");
+    folder.write(name,
+                 R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],)" +
+                     materials + R"("meshes":[{"primitives":[{"attributes":{"POSITION":0})" + of_mesh +
+                     R"(}]}],"buffers":[{"byteLength":36,"uri":")" + points +
+                     R"("}],"bufferViews":[{"buffer":0,"byteLength":36}],"accessors":[{"bufferView":0,)" +
+                     R"("componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[1,1,0]}]})");
+    return rendered(folder, in(folder, name) + " --size 8x8")["messages"].dump();
+  };
+  const std::string plain = "no material in the file, a plain one taken";
+  CHECK_THAT(rendered(folder, in(folder, "t.off") + " --size 8x8")["messages"].dump(),
+             ContainsSubstring(plain));
+  CHECK_THAT(gltf("none.gltf", "", ""), ContainsSubstring(plain));
+  const std::string one =
+      R"("materials":[{"name":"x","pbrMetallicRoughness":{"baseColorFactor":[1,0,0,1]}}],)";
+  CHECK_THAT(gltf("one.gltf", one, R"(,"material":0)"), ContainsSubstring("material 'x'") &&
+                                                            !ContainsSubstring("material ''") &&
+                                                            !ContainsSubstring("plain"));
+  CHECK_THAT(gltf("unused.gltf", one, ""),
+             !ContainsSubstring("'x'") && ContainsSubstring("a mesh has no material, a plain one taken"));
+}
+
+TEST_CASE("waves of pixels without a write are said to be empty", "[cli][render]") {
+  const scratch folder;
+  const auto said = [&](const std::string& arguments) {
+    const outcome run = run_blysk(folder, "render sphere --size 32x32 --output " + in(folder, "p.png") +
+                                              " --vcd " + in(folder, "w.vcd") + " " + arguments);
+    CAPTURE(run.err);
+    CHECK(run.status == 0);
+    return run.err.find("--watch: no watched pixel is in a highlight") != std::string::npos;
+  };
+  CHECK(said("--watch 0,0"));
+  CHECK(said("--watch highlight --light 0,0,-1"));
+  CHECK(!said("--watch highlight"));
 }
 
 TEST_CASE("a scene without highlights has no device and no clock", "[cli][render]") {
@@ -609,6 +672,15 @@ TEST_CASE("bad use is one line, and no file is written", "[cli][render]") {
       {"sphere --vcd w.vcd", "expected --watch or engine systemc"},
   };
   for (const auto& [arguments, part] : cases) refuses(folder, arguments, part);
+  for (const std::string option :
+       {"--animate 3", "--engine systemc --vcd w.vcd", "--watch 1,1", "--units systemc --units-vcd u.vcd"}) {
+    const outcome unused = run_blysk(folder, "render sphere --size 8x8 --explain " + option);
+    CAPTURE(option, unused.err);
+    CHECK(unused.status == 2);
+    CHECK(unused.out.empty());
+    CHECK(unused.err.find(" is of a picture, expected --output, --report or --compare with it") !=
+          std::string::npos);
+  }
   const outcome nothing = run_blysk(folder, "render sphere");
   CHECK(nothing.status == 2);
   CHECK(nothing.err.find("nothing to do, expected --output, --report, --compare or --explain") !=
@@ -745,6 +817,14 @@ TEST_CASE("the frames of a turning object", "[cli][render]") {
     for (int other = 1; other < number; ++other) CHECK(frame(number) != frame(other));
     CHECK(report[static_cast<std::size_t>(number - 1)].at("device_writes") > 0);
   }
+  // Each has its own counts: those of frames before are none of it.
+  for (const char* key : {"cycles", "simulated_ns", "delta_cycles", "process_runs"}) {
+    CAPTURE(key, report[0][key], report[3][key]);
+    double sum = 0;
+    for (const json& each : report)
+      sum += each.at(key).get<double>() / each.at("device_writes").get<double>();
+    CHECK(report[3].at(key).get<double>() / report[3].at("device_writes").get<double>() < sum / 2);
+  }
   // The first is the still picture; half a turn is that of two frames.
   rendered(folder, scene);
   CHECK(frame(1) == slurp(folder.path("p.png")));
@@ -775,6 +855,18 @@ TEST_CASE("bad use of an animation is one line, and no file is written", "[cli][
   CHECK(bare.status == 2);
   CHECK(bare.err.find("--film wants ffmpeg or ImageMagick, which is not installed") != std::string::npos);
   CHECK(folder.names().empty());
+  // A program that makes no film leaves the frames and their report.
+  fs::create_directory(folder.path("bin"));
+  fs::permissions(folder.write("bin/ffmpeg", "#!/bin/sh\nexit 1\n"), fs::perms::owner_all);
+  const outcome failed =
+      run_blysk(folder,
+                fmt::format("render {} --animate 2 --output {} --film {} --report {}", scene,
+                            in(folder, "x.png"), in(folder, "f.gif"), in(folder, "r.json")),
+                "PATH=" + folder.path("bin") + ":$PATH; ");
+  CAPTURE(failed.err);
+  CHECK(failed.status == 2);
+  CHECK(failed.err.find("f.gif: cannot be made") != std::string::npos);
+  CHECK(json::parse(slurp(folder.path("r.json"))).size() == 2);
 }
 
 TEST_CASE("a film is made of the frames", "[cli][render]") {

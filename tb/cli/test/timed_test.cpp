@@ -117,7 +117,8 @@ TEST_CASE("a strobe that comes too early is reported with time, signal and value
   const std::string in = folder.write("in.csv", kStimulus);
   const std::string of = "simulate --format q8 --engine timed --stimulus " + quoted(in) + " --results " +
                          quoted(folder.path("r.csv")) + " --period ";
-  const outcome early = run_blysk(folder, of + "4 --json");
+  const std::string settling = folder.path("s.csv");
+  const outcome early = run_blysk(folder, of + "4 --json --settling " + quoted(settling));
   CHECK(early.status == 1);
   // Two cycles of reset, two a write; strobes come at the falling edges.
   CHECK_THAT(early.err,
@@ -129,6 +130,15 @@ TEST_CASE("a strobe that comes too early is reported with time, signal and value
   CHECK(told["early_strobes"][0]["row"] == 2);
   CHECK(told["early_strobes"][0]["time_ns"] == 26.0);
   CHECK(told["early_strobes"][0]["got"] != told["early_strobes"][0]["expected"]);
+  // The strobe cuts the second row short, so when it settles is not known; the first one's outputs stay 0.
+  const std::string rows = slurp(settling);
+  CHECK(rows.starts_with("row,settled_ns,busy_ns\n1,"));
+  CHECK_THAT(rows, ContainsSubstring("\n2,,"));
+  CHECK(told["settled_ns"].get<double>() < 4);
+  const std::string one = folder.write("in.csv", kStimulus.substr(0, 12) + "500,0.999,255,254,253\n");
+  const outcome none = run_blysk(folder, of + "4 --json");
+  CHECK(json::parse(none.out)["settled_ns"].is_null());
+  folder.write("in.csv", kStimulus);
   CHECK(run_blysk(folder, of + "40").status == 0);
 }
 

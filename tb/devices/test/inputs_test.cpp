@@ -43,6 +43,29 @@ void require_legal(const columns& writes, const std::vector<port>& data) {
 
 }  // namespace
 
+TEST_CASE("no two inputs of one format run alike") {
+  // Hardware with these two exchanged would give the same results.
+  const selection asked = asked_for();
+  const std::vector<port> data = data_ports(asked);
+  constexpr std::uint64_t kRows = 1000;
+  std::map<std::pair<std::size_t, std::size_t>, std::uint64_t> equal;
+  for_random_inputs(asked, kRows, 1, [&](const columns& writes) {
+    for (std::size_t i = 0; i < data.size(); ++i) {
+      for (std::size_t k = i + 1; k < data.size(); ++k) {
+        if (codes_of(data[i]) != codes_of(data[k])) continue;
+        for (std::size_t row = 0; row < writes.size(); ++row)
+          equal[{i, k}] +=
+              writes[i].get(row) - data[i].carries->min == writes[k].get(row) - data[k].carries->min;
+      }
+    }
+  });
+  for (const auto& [pair, rows] : equal) {
+    CAPTURE(data[pair.first].name, data[pair.second].name);
+    // Twice what chance would make equal, and what few rows may have more.
+    CHECK(rows <= 2 * kRows / static_cast<std::uint64_t>(codes_of(data[pair.first])) + 20);
+  }
+}
+
 TEST_CASE("all inputs are all, each once") {
   const selection asked = asked_for();
   const std::vector<port> data = data_ports(asked);

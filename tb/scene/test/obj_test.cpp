@@ -199,6 +199,24 @@ TEST_CASE("text of every encoding and line end is the same scene", "[scene]") {
   CHECK(read("v +0 0. -.0e+2\nv 1e0 0 0\nv 1 1E0 0\nf -3 -2 -1").of.triangles.size() == 1);
 }
 
+TEST_CASE("the normals of a cube do not depend on how its squares are cut", "[scene]") {
+  std::string text;
+  for (int i = 0; i < 8; ++i)
+    text += fmt::format("v {} {} {}\n", (i & 1) * 2 - 1, (i >> 1 & 1) * 2 - 1, (i >> 2) * 2 - 1);
+  text += "s 1\nf 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n";
+  const auto made = read(text);
+  REQUIRE(made.of.triangles.size() == 12);
+  for (const triangle& each : made.of.triangles) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const vec& at = made.of.positions[each.position[k]];
+      const vec& normal = made.of.normals[each.normal[k]];
+      CHECK(normal.x == Approx(at.x / std::sqrt(3.0)));
+      CHECK(normal.y == Approx(at.y / std::sqrt(3.0)));
+      CHECK(normal.z == Approx(at.z / std::sqrt(3.0)));
+    }
+  }
+}
+
 TEST_CASE("indices are checked where they stand, and may lead ahead", "[scene]") {
   CHECK(read("f 1 2 3\n" + kSquare).of.triangles.size() == 1);
   CHECK(refusal_of("f 1 2 5\n" + kSquare) == "a.obj:1: vertex '5' does not exist, expected 1 to 4");
@@ -207,6 +225,14 @@ TEST_CASE("indices are checked where they stand, and may lead ahead", "[scene]")
   CHECK(refusal_of(kSquare + "f 1 2 99999999999999999999\n") ==
         "a.obj:5: vertex '99999999999999999999' does not exist, expected 1 to 4");
   CHECK(refusal_of(kSquare + "f 1//9 2//9 3//9\n") == "a.obj:5: normal '9' does not exist, expected 1 to 0");
+  CHECK(refusal_of(kSquare + "f 1/9 2/9 3/9\n") ==
+        "a.obj:5: texture coordinate '9' does not exist, expected 1 to 0");
+  CHECK(refusal_of(kSquare + "f 1/x 2/1 3/1\nvt 0 0\n") ==
+        "a.obj:5: texture coordinate 'x' does not exist, expected 1 to 0");
+  CHECK(refusal_of("vt nan 0\n" + kSquare) == "a.obj:1: texture coordinate has 'nan', expected a number");
+  CHECK(refusal_of(kSquare + "f 1// 2// 3//\n") ==
+        "a.obj:5: corner '1//' ends in a slash, expected the index of a normal behind it");
+  CHECK(read(kSquare + "f 1/1 2/1 3/1\nvt 0 0\n").of.triangles.size() == 1);
   CHECK(refusal_of("s x\n" + kSquare) == "a.obj:1: smoothing group is 'x', expected off or a number");
   CHECK(read("vt 0 0\nvn 0 0 1\n" + kSquare + "f 1/1/1 2/1/1 3/1/1\nf 1/1 3/1 4/1\nf 1//1 3//1 4//1\n")
             .of.triangles.size() == 3);
