@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "tb/catch.h"
+#include "tb/catch_text.h"
 #include "tb/cli/test/program.h"
 
 namespace {

@@ -113,6 +113,7 @@ TEST_CASE("numbers of a material are made legal, and every change is said", "[sc
   CHECK(message_of("Kd 1 0 0\nmap_Kd a b.png\n") == "map_Kd dropped");
   CHECK(message_of("Kd 1 0 0\nd 0.5\n") == "d 0.5 dropped, surfaces are opaque");
   CHECK(message_of("Kd 1 0 0\nd 1\nTr 0\nNi 1.5\n").empty());
+  CHECK(message_of("Kd 1 0 0\nd 0.5\n").find("d 0.5 dropped") != std::string::npos);
   CHECK(message_of("Kd spectral x.rfl 1\n") == "Kd spectral dropped, RGB is read");
   CHECK(message_of("Kd 1 0 0 1 junk\n") == "'1 junk' behind Kd dropped");
   CHECK(message_of("illum 2\nKs 1 1 1\nNs 10 20\n") == "'20' behind Ns dropped");
@@ -120,8 +121,8 @@ TEST_CASE("numbers of a material are made legal, and every change is said", "[sc
   CHECK(material_of("Kd 1 0 0\nKd 0 1 0\n").kd == rgb{0, 1, 0});
   CHECK(message_of("Kd 1 0 0 # red\n").empty());
   CHECK(message_of("Kd 1 0 0\nnewmtl a\nKd 0 1 0\n") == "defined again, the last one taken");
-  for (const char* bad :
-       {"Ns nan\n", "Ns\n", "Ns 1.2.3\n", "Ks nan 0 0\n", "Ks 0 0\n", "Kd inf\n", "illum x\n", "Ns 0x10\n"}) {
+  for (const char* bad : {"Ns nan\n", "Ns\n", "Ns 1.2.3\n", "Ks nan 0 0\n", "Ks 0 0\n", "Kd inf\n",
+                          "illum x\n", "Ns 0x10\n", "d foo\n", "Tr nan\n", "d\n"}) {
     const std::string refusal =
         refusal_of("mtllib m\nusemtl a\n" + kSquare + "f 1 2 3\n", {{"m", std::string("newmtl a\n") + bad}});
     CAPTURE(bad, refusal);
