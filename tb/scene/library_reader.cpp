@@ -279,8 +279,7 @@ library_mesh import(const std::string& path, std::vector<std::string>& messages)
     std::vector<std::string> of_unused;
     std::vector<std::string>& said = is_used[i] ? messages : of_unused;
     if (is_missing(*read->mMaterials[i], ending, i + 1 == read->mNumMaterials)) {
-      said.emplace_back(i == 0 ? "no material in the file, a plain one taken"
-                               : "a mesh has no material, a plain one taken");
+      said.emplace_back("a mesh has no material, a plain one taken");
       built.materials.push_back(plain_material());
     } else {
       built.materials.push_back(make_legal(material_of(*read->mMaterials[i]), said));

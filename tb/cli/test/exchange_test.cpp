@@ -99,7 +99,8 @@ TEST_CASE("answers that end within their last word are refused", "[cli]") {
 TEST_CASE("a vector of several lines differs once", "[cli]") {
   const scratch folder;
   int devices = 0;
-  for (const auto& device : nlohmann::json::parse(run_blysk(folder, "list --json").out)["devices"]) {
+  const auto listed = nlohmann::json::parse(run_blysk(folder, "list --json").out);
+  for (const auto& device : listed["devices"]) {
     const std::string name = device["name"];
     const std::string vectors = run_blysk(folder, "vectors --format q8 --device " + name).out;
     const auto lines = std::count(vectors.begin(), vectors.end(), '\n');
