@@ -100,7 +100,8 @@ void add_device_arguments(CLI::App& verb, asked_device& arguments, purpose is_fo
     const auto is_flag = [](const shared_option::owner& of) { return of.own.is_flag(); };
     if (std::ranges::all_of(each.owners, is_flag)) {
       verb.add_flag_callback(
-          "--" + name, [&arguments, name] { arguments.options[name] = "on"; }, help_of(each, is_for));
+              "--" + name, [&arguments, name] { arguments.options[name] = "on"; }, help_of(each, is_for))
+          ->disable_flag_override();  // "--flag=false" would not reach a device that has no such flag
       continue;
     }
     CLI::Option* const added = verb.add_option_function<std::string>(
