@@ -6,7 +6,7 @@ set -euo pipefail
 source=$1 whole=$2 folder=$3
 fail() { echo "$*" >&2 && exit 1; }
 mkdir -p "$folder"
-cmake -S "$source" -B "$folder" -G Ninja -DBUILD_TESTING=OFF -DBLYSK_FORMATS=q8 -DBLYSK_VERILATED=OFF >"$folder/log" 2>&1 &&
+cmake -S "$source" -B "$folder" -G Ninja -DBUILD_TESTING=OFF -DBLYSK_FORMATS=q8 -DBLYSK_VERILATED=OFF -DCMAKE_UNITY_BUILD=ON >"$folder/log" 2>&1 &&
   cmake --build "$folder" --target blysk >>"$folder/log" 2>&1 || { tail -n 30 "$folder/log" >&2 && fail 'no build'; }
 part=$folder/bin/blysk
 for scene in sphere teapot; do
