@@ -129,17 +129,23 @@ double seconds_in_child(Work&& work) {
   int ends[2];
   if (pipe(ends) != 0) std::abort();
   const pid_t child = fork();
+  if (child < 0) std::abort();
   if (child == 0) {
-    const double seconds = work();
-    const bool written = write(ends[1], &seconds, sizeof seconds) == sizeof seconds;
+    close(ends[0]);
+    bool written = false;
+    try {
+      const double seconds = work();
+      written = write(ends[1], &seconds, sizeof seconds) == sizeof seconds;
+    } catch (const std::exception&) {  // no answer then
+    }
     _exit(written ? 0 : 1);
   }
+  close(ends[1]);  // or a child that dies would leave the pipe open
   double seconds = 0;
   const bool answered = read(ends[0], &seconds, sizeof seconds) == sizeof seconds;
   close(ends[0]);
-  close(ends[1]);
   int status = 0;
-  if (child < 0 || waitpid(child, &status, 0) != child || status != 0 || !answered) std::abort();
+  if (waitpid(child, &status, 0) != child || status != 0 || !answered) std::abort();
   return seconds;
 }
 

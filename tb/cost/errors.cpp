@@ -4,20 +4,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <limits>
 #include <mutex>
 #include <numeric>
 #include <span>
 #include <stdexcept>
-#include <thread>
 
 #include "tb/cost/cost_row.h"
 #include "tb/cost/error_sums.h"
 #include "tb/golden/errors.h"
 #include "tb/golden/sphere.h"
 #include "tb/golden/teapot.h"
+#include "tb/parallel.h"
 #include "tb/specular/specular.h"
 
 namespace blysk::cost {
@@ -281,21 +280,14 @@ error_table measure_lists(const std::vector<point_list>& lists, const judged& of
       chunks.push_back({&points, first, std::min(points.size, first + kChunk)});
   }
   std::vector<chunk_sums> sums(chunks.size());
-  std::atomic<std::size_t> next = 0;
   std::size_t done = 0;
   std::mutex one_at_a_time;
-  const auto work = [&] {
-    for (std::size_t i = next++; i < chunks.size(); i = next++) {
-      sums[i] = block_meter(of, *chunks[i].points, epicentres).measure(chunks[i].first, chunks[i].last);
-      const std::lock_guard lock(one_at_a_time);
-      ++done;
-      if (advanced) advanced(static_cast<double>(done) / static_cast<double>(chunks.size()));
-    }
-  };
-  std::vector<std::jthread> others;
-  for (int i = 1; i < threads; ++i) others.emplace_back(work);
-  work();
-  others.clear();
+  for_each_in_parallel(chunks.size(), static_cast<unsigned>(threads), [&](std::size_t i, unsigned) {
+    sums[i] = block_meter(of, *chunks[i].points, epicentres).measure(chunks[i].first, chunks[i].last);
+    const std::lock_guard lock(one_at_a_time);
+    ++done;
+    if (advanced) advanced(static_cast<double>(done) / static_cast<double>(chunks.size()));
+  });
   return add_up(sums);
 }
 

@@ -24,7 +24,7 @@
 #include <cmath>
 #include <limits>
 
-#include "tb/render/parallel.h"
+#include "tb/parallel.h"
 
 namespace blysk::render {
 namespace {

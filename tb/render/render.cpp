@@ -11,9 +11,9 @@
 #include <mutex>
 #include <stdexcept>
 
+#include "tb/parallel.h"
 #include "tb/render/effects/saturate.h"
 #include "tb/render/inner_check.h"
-#include "tb/render/parallel.h"
 #include "tb/render/reference.h"
 #include "tb/render/shader.h"
 

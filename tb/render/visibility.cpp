@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "tb/render/parallel.h"
+#include "tb/parallel.h"
 
 namespace blysk::render {
 namespace {

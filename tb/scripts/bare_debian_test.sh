@@ -34,7 +34,7 @@ inside '
   done
   cmp bit.csv systemc.csv
   cmp bit.csv verilator.csv
-  ! cmp bit.csv golden.csv
+  if cmp -s bit.csv golden.csv; then exit 1; fi
   blysk simulate --device $device --engine systemc --stimulus fig3.csv --results s.csv --vcd s.vcd
   blysk export --device $device --format q8 --output verilog
   test -s verilog/blysk_$(echo $device | tr - _)_q8.v
@@ -48,5 +48,5 @@ inside '
   cmake --build outside/build
   outside/build/bench
   outside/build/reflect'
-inside 'apt-get remove -y blysk; ! command -v blysk; test ! -e /usr/share/blysk'
+inside 'apt-get remove -y blysk; if command -v blysk; then exit 1; fi; test ! -e /usr/share/blysk'
 echo "installed, run, built upon and removed"

@@ -13,7 +13,9 @@ grep -q '^Usage: blysk render' <<<"$("$place/bin/blysk" render --help)"
 diff -r --exclude=CMakeLists.txt "$source/rtl_sysc" "$place/include/blysk/rtl_sysc"
 for header in "$source"/tb/golden/*.h; do diff "$header" "$place/include/blysk/tb/golden"; done
 man=$(MANPATH=$place/share/man man -P cat -l "$place/share/man/man1/blysk.1" 2>/dev/null || cat "$place/share/man/man1/blysk.1")
-for verb in $("$place/bin/blysk" --help | sed -n '/^Subcommands:/,/^$/s/^  \([a-z-]*\) .*/\1/p'); do
+verbs=$("$place/bin/blysk" --help | sed -n '/^Subcommands:/,/^$/s/^  \([a-z-]*\) .*/\1/p')
+[ -n "$verbs" ] || { echo 'blysk --help names no verb' >&2 && exit 1; }
+for verb in $verbs; do
   grep -qx "${verb^^}\|\.SH \"${verb^^}\"" <<<"$man" || { echo "the manual lacks $verb" >&2 && exit 1; }
 done
 completed() {  # completed WORD...: what bash offers for the last word

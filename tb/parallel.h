@@ -9,7 +9,7 @@
 #include <thread>
 #include <vector>
 
-namespace blysk::render {
+namespace blysk {
 
 /// Calls work(i, worker) for i in [0, count) from `threads` threads; worker is in [0, threads). The first exception is
 /// thrown again when all have ended.
@@ -37,4 +37,4 @@ void for_each_in_parallel(std::size_t count, unsigned threads, const Work& work)
   if (error) std::rethrow_exception(error);
 }
 
-}  // namespace blysk::render
+}  // namespace blysk
