@@ -234,6 +234,8 @@ void run(const CLI::App& verb, render_options asked) {
   traced_units.stop();
   if (!asked.watch.empty() && made.watched_writes == 0)
     say("blysk", "--watch: no watched pixel is in a highlight, so the device has no write of them");
+  else if (!asked.vcd.empty() && made.device_writes == 0)
+    say("blysk", "--vcd: no pixel is in a highlight, so the device has no write");
   made.host_s["reading"] = reading.count();
   const render::circumstances in = around();
   files.write(job, made, in);

@@ -229,19 +229,19 @@ void append(const aiMesh& from, std::size_t materials, mesh_builder& to, undrawn
 }
 
 /// What the library gives to a file, or a mesh, without a material: to 3DS a name that no file has; to OFF, which has no
-/// materials, and to PLY and glTF one without a name, of one grey for diffuse and specular light or white; to others a name
-/// of its own, without an exponent.
+/// materials, anything; to glTF a white one behind all others, without a name; to PLY and STL a grey one without a name, to B3D
+/// one without colours; to others a name of its own, with no exponent or 0.
 bool is_missing(const aiMaterial& of, const std::string& ending, bool is_last) {
   const std::string_view called = of.GetName().C_Str();
   if (called == "%%%DEFAULT" || ending == ".off") return true;
-  if (ending == ".gltf" || ending == ".glb")
-    return is_last && called.empty() && colour_of(of, AI_MATKEY_COLOR_DIFFUSE) == rgb{1, 1, 1};
-  float exponent = 0;
-  if (of.Get(AI_MATKEY_SHININESS, exponent) == aiReturn_SUCCESS) return false;
-  const std::string_view name = of.GetName().C_Str();
   const auto kd = colour_of(of, AI_MATKEY_COLOR_DIFFUSE);
-  return name == AI_DEFAULT_MATERIAL_NAME ||
-         (name.empty() && kd && kd == colour_of(of, AI_MATKEY_COLOR_SPECULAR));
+  const auto ks = colour_of(of, AI_MATKEY_COLOR_SPECULAR);
+  if (ending == ".gltf" || ending == ".glb") return is_last && called.empty() && kd == rgb{1, 1, 1};
+  float exponent = 0;
+  if (of.Get(AI_MATKEY_SHININESS, exponent) == aiReturn_SUCCESS && exponent != 0) return false;
+  if (called == AI_DEFAULT_MATERIAL_NAME) return true;
+  constexpr float kGrey = 0.6F;  // of the library
+  return called.empty() && kd == ks && (!kd || kd == rgb{kGrey, kGrey, kGrey});
 }
 
 /// The files, with a note of each that the library opens.

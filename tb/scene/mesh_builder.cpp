@@ -118,20 +118,26 @@ std::vector<std::uint32_t> welded(const std::vector<vec>& positions) {
   return first;
 }
 
-/// The faces that have a corner at a place, one list after the other.
+/// The polygons that have a corner at a place, each by its first triangle there, one list after the other.
 class faces_by_place {
  public:
-  faces_by_place(const std::vector<vec>& positions, const std::vector<triangle>& triangles)
+  /// \param polygon  of each triangle; those of one stand side by side
+  faces_by_place(const std::vector<vec>& positions, const std::vector<triangle>& triangles,
+                 const std::vector<std::uint32_t>& polygon)
       : place_(welded(positions)), begins_(positions.size() + 1, 0) {
-    for (const triangle& each : triangles) {
-      for (const std::uint32_t index : each.position) ++begins_[place_[index] + 1];
-    }
+    const auto for_each_first = [&](const auto& use) {
+      std::vector<std::uint32_t> last(positions.size(), 0);  // polygons are counted from 1
+      for (std::uint32_t i = 0; i < triangles.size(); ++i) {
+        for (const std::uint32_t index : triangles[i].position) {
+          if (std::exchange(last[place_[index]], polygon[i]) != polygon[i]) use(place_[index], i);
+        }
+      }
+    };
+    for_each_first([&](std::uint32_t place, std::uint32_t) { ++begins_[place + 1]; });
     std::partial_sum(begins_.begin(), begins_.end(), begins_.begin());
     std::vector<std::uint32_t> ends(begins_.begin(), begins_.end() - 1);
     faces_.resize(begins_.back());
-    for (std::uint32_t i = 0; i < triangles.size(); ++i) {
-      for (const std::uint32_t index : triangles[i].position) faces_[ends[place_[index]]++] = i;
-    }
+    for_each_first([&](std::uint32_t place, std::uint32_t i) { faces_[ends[place]++] = i; });
   }
 
   /// \param position  of a corner
@@ -217,7 +223,7 @@ void mesh_builder::compute_normals(std::vector<std::string>& messages) {
     std::fill(areas.begin() + static_cast<std::ptrdiff_t>(first),
               areas.begin() + static_cast<std::ptrdiff_t>(end), sum);
   }
-  const faces_by_place around(positions, triangles_);
+  const faces_by_place around(positions, triangles_, polygon_);
   std::size_t count = 0;
   std::size_t crowded = 0;
   for (std::uint32_t i = 0; i < triangles_.size(); ++i) {
@@ -243,15 +249,14 @@ vec mesh_builder::smooth_area(std::uint32_t face, std::span<const std::uint32_t>
   constexpr double kCrease = 0.5;  // cos of 60 degrees
   if (around.size() > kMostFaces) return areas[face];
   const auto is_smooth_with = [&](std::uint32_t other) {
-    if (face == other) return true;
+    if (polygon_[face] == polygon_[other]) return true;
     if (smoothing_[face] != smoothing_[other] || smoothing_[face] == kFlat) return false;
     return smoothing_[face] != kUnsaid ||
            dot(golden::normalised(areas[face]), golden::normalised(areas[other])) > kCrease;
   };
   vec sum{0, 0, 0};
-  for (std::size_t i = 0; i < around.size(); ++i) {
-    const bool is_again = i > 0 && polygon_[around[i]] == polygon_[around[i - 1]];
-    if (!is_again && is_smooth_with(around[i])) sum = sum + areas[around[i]];
+  for (const std::uint32_t other : around) {
+    if (is_smooth_with(other)) sum = sum + areas[other];
   }
   return sum;
 }

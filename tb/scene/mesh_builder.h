@@ -54,14 +54,14 @@ class mesh_builder {
 
   /// The areas of the polygons around a corner that its face meets smoothly, added up, each polygon once however it was
   /// cut into triangles.
-  /// \param around  triangles, in their order
+  /// \param around  a triangle of each polygon there
   /// \param areas   of the polygon of each triangle
   vec smooth_area(std::uint32_t face, std::span<const std::uint32_t> around,
                   const std::vector<vec>& areas) const;
 
   std::vector<triangle> triangles_;
   std::vector<std::int32_t> smoothing_;  // of the triangles
-  std::vector<std::uint32_t> polygon_;   // that each was cut from, counted
+  std::vector<std::uint32_t> polygon_;   // that each was cut from, counted from 1
   std::uint32_t polygons_ = 0;
   std::size_t dropped_ = 0;
   std::size_t crossed_ = 0;

@@ -66,8 +66,11 @@ class obj_reader {
     } else if (keyword == "s") {
       smoothing_ = read_group(value);
     } else if (keyword == "vt") {
-      const std::string_view word = take_word(value);
-      if (!number_of(word)) fail(fmt::format("texture coordinate has '{}', expected a number", shown(word)));
+      do {
+        const std::string_view word = take_word(value);
+        if (!number_of(word))
+          fail(fmt::format("texture coordinate has '{}', expected a number", shown(word)));
+      } while (!value.empty());
       ++textures_;
     } else if (keyword != "g" && keyword != "o") {
       ++dropped_[fmt::format("lines '{}'", printable(keyword.substr(0, 20)))];

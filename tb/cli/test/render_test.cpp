@@ -202,6 +202,11 @@ TEST_CASE("what a scene file has wrong is said with file and line", "[cli][rende
   }
   folder.write("s.JSON", "{\"mesh\": \"s.JSON\"}");
   refuses(folder, in(folder, "s.JSON"), "s.JSON:1: mesh: is a scene, expected a mesh");
+  for (const char* none : {"nosuch.obj", "."}) {
+    folder.write("s.JSON", fmt::format("{{\"mesh\":\n\"{}\"}}", none));
+    refuses(folder, in(folder, "s.JSON"),
+            "mesh: is no file, expected one beside the scene or a built-in shape");
+  }
   folder.write("s.JSON", "{\"mesh\": \"\"}");
   refuses(folder, in(folder, "s.JSON"), "s.JSON:1: mesh: is empty");
   // A name before * in the alphabet keeps what is said of it.
@@ -291,6 +296,11 @@ TEST_CASE("waves of pixels without a write are said to be empty", "[cli][render]
   CHECK(said("--watch 0,0"));
   CHECK(said("--watch highlight --light 0,0,-1"));
   CHECK(!said("--watch highlight"));
+  const outcome dark =
+      run_blysk(folder, "render sphere --size 32x32 --engine systemc --light 0,0,-1 --output " +
+                            in(folder, "p.png") + " --vcd " + in(folder, "w.vcd"));
+  CHECK(dark.status == 0);
+  CHECK_THAT(dark.err, ContainsSubstring("--vcd: no pixel is in a highlight, so the device has no write"));
 }
 
 TEST_CASE("a scene without highlights has no device and no clock", "[cli][render]") {

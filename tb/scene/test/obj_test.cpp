@@ -218,6 +218,37 @@ TEST_CASE("the normals of a cube do not depend on how its squares are cut", "[sc
   }
 }
 
+TEST_CASE("a polygon of many corners is one face where it is smoothed", "[scene]") {
+  // A prism whose caps have more corners than faces that are smoothed at one place.
+  constexpr int kCorners = 1100;
+  std::string text;
+  std::string bottom("f");
+  std::string top("f");
+  std::string sides;
+  for (int i = 0; i < kCorners; ++i) {
+    const double angle = 2 * golden::pi<double>() * i / kCorners;
+    const int next = (i + 1) % kCorners;
+    for (const int z : {-1, 1})
+      text += fmt::format("v {:.17g} {:.17g} {}\n", std::cos(angle), std::sin(angle), z);
+    top += fmt::format(" {}", 2 * i + 2);
+    bottom += fmt::format(" {}", 2 * (kCorners - 1 - i) + 1);
+    sides += fmt::format("f {} {} {} {}\n", 2 * i + 1, 2 * next + 1, 2 * next + 2, 2 * i + 2);
+  }
+  const auto made = read(text + "s 1\n" + bottom + "\n" + top + "\n" + sides);
+  for (const std::string& each : made.messages) CHECK(each.find("not smoothed") == std::string::npos);
+  // Corners of one height are alike.
+  double least = 1;
+  double most = -1;
+  for (const triangle& each : made.of.triangles) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (made.of.positions[each.position[k]].z < 0) continue;
+      least = std::min(least, made.of.normals[each.normal[k]].z);
+      most = std::max(most, made.of.normals[each.normal[k]].z);
+    }
+  }
+  CHECK(most - least < 1e-9);
+}
+
 TEST_CASE("indices are checked where they stand, and may lead ahead", "[scene]") {
   CHECK(read("f 1 2 3\n" + kSquare).of.triangles.size() == 1);
   CHECK(refusal_of("f 1 2 5\n" + kSquare) == "a.obj:1: vertex '5' does not exist, expected 1 to 4");
