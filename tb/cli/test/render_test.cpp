@@ -275,6 +275,15 @@ TEST_CASE("a file of the library without a material is plain, and what it does n
   const std::string plain = "a mesh has no material, a plain one taken";
   CHECK_THAT(rendered(folder, in(folder, "t.off") + " --size 8x8")["messages"].dump(),
              ContainsSubstring(plain));
+  folder.write(
+      "m.ply",
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+      "element face 1\nproperty list uchar int vertex_indices\nelement material 1\n"
+      "property uchar diffuse_red\nproperty uchar diffuse_green\nproperty uchar diffuse_blue\n"
+      "property uchar specular_red\nproperty uchar specular_green\nproperty uchar specular_blue\n"
+      "end_header\n-1 -1 0\n1 -1 0\n0 1 0\n3 0 1 2\n200 0 0 200 0 0\n");
+  CHECK_THAT(rendered(folder, in(folder, "m.ply") + " --size 8x8")["messages"].dump(),
+             !ContainsSubstring(plain));
   CHECK_THAT(gltf("none.gltf", "", ""), ContainsSubstring(plain));
   const std::string one =
       R"("materials":[{"name":"x","pbrMetallicRoughness":{"baseColorFactor":[1,0,0,1]}}],)";
