@@ -102,16 +102,18 @@ build() {
   build_configured "$@"
 }
 
-# build_part FORMAT TARGET...: builds the targets, with FORMAT and without engine verilator where build/ is not there yet:
+# build_part FORMAT TARGET...: builds the targets, with q16, FORMAT and without engine verilator where build/ is not there yet:
 # minutes in place of an hour. What is there in build/ already stays in it.
 build_part() {
   local format=$1 part=(-DBLYSK_VERILATED=OFF -DBUILD_TESTING=OFF -DCMAKE_UNITY_BUILD=ON)
+  local formats=q16
+  [ "$format" = q16 ] || formats+=";$format"
   shift
   if is_of_another_place; then
     say "build/ is that of another tree or place"
-    configure --fresh "-DBLYSK_FORMATS=$format" "${part[@]}"
+    configure --fresh "-DBLYSK_FORMATS=$formats" "${part[@]}"
   elif [ ! -f "$root/build/CMakeCache.txt" ]; then
-    configure "-DBLYSK_FORMATS=$format" "${part[@]}"
+    configure "-DBLYSK_FORMATS=$formats" "${part[@]}"
   elif is_part && [[ ";$(cached BLYSK_FORMATS);" != *";$format;"* ]]; then
     configure "-DBLYSK_FORMATS=$(cached BLYSK_FORMATS);$format"
   elif must_configure; then

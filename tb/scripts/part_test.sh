@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# part_test.sh SOURCE BLYSK FOLDER: a program with one format, as scripts/run builds it, draws the picture that the whole one BLYSK
+# part_test.sh SOURCE BLYSK FOLDER: a program with q8 and q16 alone, as scripts/run builds it, draws the picture that the whole one BLYSK
 # draws, and refuses what it does not have. Built in FOLDER.
 set -euo pipefail
 source=$1 whole=$2 folder=$3
@@ -41,6 +41,6 @@ for engine in bit systemc; do
   refused 'format q12 is not in this build' simulate --format q12 --engine $engine --stimulus "$points" --results -
 done
 refused 'format q12 is not in this build' export --format q12 --output "$folder/rtl"
-refused 'format q16 is not in this build' render sphere --output "$folder/none.png"
+refused 'format q10 is not in this build' render sphere --format q10 --output "$folder/none.png"
 refused 'a build with Verilator' simulate --format q8 --engine verilator --stimulus "$points" --results -
 [ ! -e "$folder/rtl" ] && [ ! -e "$folder/none.png" ] || fail 'something was written'

@@ -30,7 +30,7 @@ part() { cmake -S "$source" -B "$folder/part" -G Ninja -DBLYSK_FORMATS="$1" "${@
 part 'q10;q8' -DBUILD_TESTING=OFF -DBLYSK_VERILATED=OFF || { cat "$folder/log" >&2 && exit 1; }
 ninja -C "$folder/part" -t commands all >"$folder/commands"
 elaborated=$(sed -n 's/.* -DBLYSK_FORMAT=\(q[0-9]*\) .*/\1/p' "$folder/commands" | sort | paste -sd' ')
-[ "$elaborated" = 'q10 q8' ] || { echo "netlists of $elaborated, expected q10 q8" >&2 && exit 1; }
+[ "$elaborated" = 'q10 q16 q8' ] || { echo "netlists of $elaborated, expected q10 q16 q8" >&2 && exit 1; }
 if grep 'verilated' "$folder/commands" | grep -v verilated_table >&2; then exit 1; fi
 
 # refused WHY FORMATS ARGUMENT...
