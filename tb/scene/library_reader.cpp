@@ -240,8 +240,8 @@ bool is_missing(const aiMaterial& of, const std::string& ending, bool is_last) {
   float exponent = 0;
   if (of.Get(AI_MATKEY_SHININESS, exponent) == aiReturn_SUCCESS && exponent != 0) return false;
   if (called == AI_DEFAULT_MATERIAL_NAME) return true;
-  constexpr float kGrey = 0.6F;  // of the library
-  return called.empty() && kd == ks && (!kd || kd == rgb{kGrey, kGrey, kGrey});
+  const bool is_grey = kd && (*kd)[0] == (*kd)[1] && (*kd)[1] == (*kd)[2];
+  return called.empty() && kd == ks && (!kd || is_grey);
 }
 
 /// The files, with a note of each that the library opens.

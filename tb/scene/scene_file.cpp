@@ -220,7 +220,8 @@ read_world read_scene_file(const std::string& path, const std::string& text, int
     name = (std::filesystem::path(path).parent_path() / name).string();
     if (ending_of(name) == ".json") mesh_name->fail("is a scene, expected a mesh");
     std::error_code unknown;
-    if (!std::filesystem::exists(name, unknown) || std::filesystem::is_directory(name, unknown))
+    const bool is_there = std::filesystem::exists(name, unknown);
+    if (!unknown && (!is_there || std::filesystem::is_directory(name, unknown)))
       mesh_name->fail("is no file, expected one beside the scene or a built-in shape");
     if (find("density") != nullptr)
       find("density")->fail("is of a built-in shape, expected none beside a mesh from a file");
