@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <functional>
 #include <map>
 #include <string>
 
@@ -28,6 +29,8 @@ struct asked_device {
 
 /// Adds --device, --format and the options of all devices; choose() refuses those that the device does not have.
 /// \param arguments  outlives the command line
-void add_device_arguments(CLI::App& verb, asked_device& arguments, purpose is_for);
+/// \param takes      of the devices that the help names; none: all
+void add_device_arguments(CLI::App& verb, asked_device& arguments, purpose is_for,
+                          const std::function<bool(const device&)>& takes = {});
 
 }  // namespace blysk

@@ -12,9 +12,11 @@
 #include <iterator>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 
 #include "tb/cli/engines.h"
 #include "tb/cli/whole_number.h"
+#include "tb/formats_of_build.h"
 #include "tb/output_file.h"
 #include "tb/read_number.h"
 #include "tb/run_program.h"
@@ -126,6 +128,16 @@ bool is_corrected(const std::string& perspective) {
   throw usage_error(fmt::format("perspective {} does not exist, expected corrected or screen", perspective));
 }
 
+bool shades_points(const device& of) {
+  const auto format = std::ranges::find_if(format_names, is_in_build);
+  try {
+    render::device_ports unused(choose(of.name(), std::string(*format)));
+    return true;
+  } catch (const std::invalid_argument&) {
+    return false;
+  }
+}
+
 /// A member of a scene file that gives an option: where it goes, and what refuses a value that no option has.
 struct preset {
   const char* name;
@@ -158,7 +170,7 @@ void add_render_options(CLI::App& verb, render_options& to) {
                   "JSON to write: what was computed, what it cost; - for standard output");
   verb.add_option("--compare", to.compare,
                   "PNG to write: Blinn's picture, the device's and four times their difference");
-  add_device_arguments(verb, to.device, purpose::formula);
+  add_device_arguments(verb, to.device, purpose::formula, shades_points);
   std::string engines;
   for (const engine_choice& each : engine_choices())
     engines += fmt::format("{}{}: {}", engines.empty() ? "" : "; ", each.name, each.help);
@@ -275,13 +287,14 @@ void take_presets(const CLI::App& verb, const std::map<std::string, scene::given
       {"normalisation", &to.normalisation, [&] { normalisation_of(to.normalisation); }}};
   for (const preset& each : presets) {
     const auto found = from.find(each.name);
-    if (found == from.end() || verb.get_option(std::string("--") + each.name)->count() > 0) continue;
-    *each.place = found->second.text;
+    if (found == from.end()) continue;
+    const std::string asked = std::exchange(*each.place, found->second.text);
     try {
       each.check();
     } catch (const std::exception& error) {
       throw file_error(to.scene, found->second.line, fmt::format("{}: {}", each.name, error.what()));
     }
+    if (verb.get_option(std::string("--") + each.name)->count() > 0) *each.place = asked;
   }
 }
 

@@ -82,9 +82,11 @@ std::string asked_device::export_name() const {
   return fmt::format("blysk_{}_{}", name, format);
 }
 
-void add_device_arguments(CLI::App& verb, asked_device& arguments, purpose is_for) {
+void add_device_arguments(CLI::App& verb, asked_device& arguments, purpose is_for,
+                          const std::function<bool(const device&)>& takes) {
   std::vector<std::string> names;
   for (const device* each : devices()) {
+    if (takes && !takes(*each)) continue;
     std::string with_aliases;
     for (const device_alias& other : each->aliases())
       with_aliases += (with_aliases.empty() ? " or " : ", ") + other.name;

@@ -46,11 +46,10 @@ class frame {
         ports_(asked.device->device),
         view_(world_.view ? *world_.view : scene::fitted_camera(world_.surface), asked.width, asked.height),
         lights_(with_unit_directions(world_.lights)),
-        made_{.image = picture(asked.width, asked.height),
-              .reference = picture(asked.width, asked.height),
-              .planned = plan_of(asked)} {}
+        made_{.image = picture(asked.width, asked.height), .reference = picture(asked.width, asked.height)} {}
 
   outcome run() {
+    timed("plan", [&] { made_.planned = plan_of(job_); });
     timed("visibility", [&] {
       if (job_.by_segments) {
         seen_ = {job_.width, job_.height, {}};
@@ -127,7 +126,11 @@ class frame {
     return job_.device->is_clocked || job_.units != nullptr ? 1 : job_.threads;
   }
 
-  /// What a shader has cost.
+  static void flush(std::vector<shader>& shaders, unsigned threads) {
+    for_each_in_parallel(shaders.size(), threads, [&](std::size_t i, unsigned) { shaders[i].flush(); });
+  }
+
+  /// What a shader has cost: the threads run side by side.
   void add_costs(const shader& of, unsigned threads) {
     made_.device_writes += of.writes();
     made_.unit_rows += of.unit_rows();
@@ -165,10 +168,8 @@ class frame {
             done = std::min(points_->size(), done + kChunk);
             job_.progress(done, points_->size());
           });
-      for (shader& each : shaders) {
-        each.flush();
-        add_costs(each, threads);
-      }
+      flush(shaders, threads);
+      for (const shader& each : shaders) add_costs(each, threads);
     }
     split_times(shading_s);
   }
@@ -190,8 +191,11 @@ class frame {
         for_each(pixels.size(), threads, [&](std::size_t i, point_source::cursor& near, unsigned worker) {
           add(shaders[worker], pixels[i], near);
         });
-        for (shader& each : shaders) each.flush();
-        for (const std::uint32_t pixel : pixels) resolve_traced(pixel);
+        flush(shaders, threads);
+        for (const std::uint32_t pixel : pixels) {
+          resolve_traced(pixel);
+          if (seen_.triangle[pixel] != kNoTriangle) ++made_.points;
+        }
       });
     };
     const bool by_blocks =
@@ -200,7 +204,6 @@ class frame {
         (by_blocks ? fill_by_blocks : fill_by_segments)(made_.image, *job_.by_segments, trace);
     for (const shader& each : shaders) add_costs(each, threads);
     split_times(made_.host_s["shading"]);
-    made_.points = made_.by_segments->traced;
     // The picture is judged pixel by pixel.
     timed("reference",
           [&] { seen_ = find_visible(world_.surface, view_, job_.width, job_.height, job_.threads); });

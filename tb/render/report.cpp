@@ -17,7 +17,7 @@ namespace {
 /// Of everything but reading the scene, the reference and writing the files.
 double frame_s(const outcome& of) {
   double sum = 0;
-  for (const char* phase : {"visibility", "shading", "device", "units", "lines"}) {
+  for (const char* phase : {"plan", "visibility", "shading", "device", "units", "lines"}) {
     if (const auto found = of.host_s.find(phase); found != of.host_s.end()) sum += found->second;
   }
   return sum;

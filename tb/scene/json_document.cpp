@@ -93,7 +93,7 @@ class parser {
         break;
       case is::object_start:
       case is::array_start: {
-        if (is_in_array()) note();
+        if (open_.empty() || is_in_array()) note();
         const std::string here = place();
         open_.push_back({here, event == is::array_start, 0, {}, {}});
         break;
@@ -104,9 +104,8 @@ class parser {
         if (is_in_array()) ++open_.back().elements;
         break;
       case is::value:
-        if (!is_in_array()) break;
-        note();
-        ++open_.back().elements;
+        if (open_.empty() || is_in_array()) note();
+        if (is_in_array()) ++open_.back().elements;
         break;
     }
   }

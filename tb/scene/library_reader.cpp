@@ -229,19 +229,22 @@ void append(const aiMesh& from, std::size_t materials, mesh_builder& to, undrawn
 }
 
 /// What the library gives to a file, or a mesh, without a material: to 3DS a name that no file has; to OFF, which has no
-/// materials, anything; to glTF a white one behind all others, without a name; to PLY and STL a grey one without a name, to B3D
-/// one without colours; to others a name of its own, with no exponent or 0.
+/// materials, anything; to X one without a name, which those of files get; to glTF a white one behind all others, without a
+/// name; to PLY, STL and RAW a grey one without a name, to AC one that shines white, to B3D one without colours; to others a
+/// name of its own, with no exponent or 0.
 bool is_missing(const aiMaterial& of, const std::string& ending, bool is_last) {
   const std::string_view called = of.GetName().C_Str();
   if (called == "%%%DEFAULT" || ending == ".off") return true;
+  if (ending == ".x") return called.empty();
   const auto kd = colour_of(of, AI_MATKEY_COLOR_DIFFUSE);
-  const auto ks = colour_of(of, AI_MATKEY_COLOR_SPECULAR);
+  auto ks = colour_of(of, AI_MATKEY_COLOR_SPECULAR);
   if (ending == ".gltf" || ending == ".glb") return is_last && called.empty() && kd == rgb{1, 1, 1};
   float exponent = 0;
   if (of.Get(AI_MATKEY_SHININESS, exponent) == aiReturn_SUCCESS && exponent != 0) return false;
   if (called == AI_DEFAULT_MATERIAL_NAME) return true;
   const bool is_grey = kd && (*kd)[0] == (*kd)[1] && (*kd)[1] == (*kd)[2];
-  return called.empty() && kd == ks && (!kd || is_grey);
+  if (ending == ".ac" && ks == rgb{1, 1, 1}) ks.reset();
+  return called.empty() && (!ks || kd == ks) && (!kd || is_grey);
 }
 
 /// The files, with a note of each that the library opens.

@@ -20,6 +20,12 @@ class mtl_line {
   /// What stands behind the numbers that were read.
   std::string_view rest() const { return rest_; }
 
+  /// Passes over a word that may stand before the numbers.
+  void skip(std::string_view word) {
+    std::string_view behind = rest_;
+    if (take_word(behind) == word) rest_ = behind;
+  }
+
   double number() {
     const std::string_view word = take_word(rest_);
     const auto value = number_of(word);
@@ -52,9 +58,12 @@ class mtl_line {
   std::size_t number_;
 };
 
-bool is_ignored(std::string_view keyword) {
-  static constexpr std::array kIgnored{"Ni", "Tf", "sharpness"};  // of refraction and mirrors
-  return std::ranges::find(kIgnored, keyword) != kIgnored.end();
+/// A line that a renderer of all effects would not see either: Ni 1 refracts nothing, Tf 1 filters nothing.
+bool is_neutral(std::string_view keyword, std::string_view value) {
+  if (keyword != "Ni" && keyword != "Tf") return false;
+  bool is_one = !value.empty();
+  while (!value.empty()) is_one = number_of(take_word(value)) == 1.0 && is_one;
+  return is_one;
 }
 
 /// Gives a property its value, and notes what is not taken.
@@ -78,17 +87,11 @@ void read_property(const std::string& path, const text_lines& line, raw_material
   } else if (keyword == "Ns" || keyword == "illum") {
     take_value(of, keyword, std::optional(of.number()), keyword == "Ns" ? to.n : to.illum, to.notes);
   } else if (keyword == "d" || keyword == "Tr") {
-    std::string_view value = line.value();
-    if (value.starts_with("-halo")) take_word(value);
-    std::string_view rest = value;
-    const std::string_view word = take_word(rest);
-    const auto opacity = number_of(word);
-    if (!opacity)
-      throw file_error(path, line.number(),
-                       fmt::format("{} is '{}', expected a number", keyword, shown(word)));
-    if (opacity != (keyword == "d" ? 1.0 : 0.0))
-      to.notes.push_back(fmt::format("{} {} dropped, surfaces are opaque", keyword, printable(value)));
-  } else if (!is_ignored(keyword)) {
+    of.skip("-halo");
+    const double opacity = of.number();
+    if (!of.rest().empty() || opacity != (keyword == "d" ? 1.0 : 0.0))
+      to.notes.push_back(fmt::format("{} {} dropped, surfaces are opaque", keyword, shown(line.value())));
+  } else if (!is_neutral(keyword, line.value())) {
     to.notes.push_back(fmt::format("{} dropped", printable(keyword)));
   }
 }

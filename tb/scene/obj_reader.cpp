@@ -112,14 +112,14 @@ class obj_reader {
   mesh_builder::corner read_corner(std::string_view word) {
     const auto slash = word.find('/');
     const auto second = slash == std::string_view::npos ? slash : word.find('/', slash + 1);
+    if (word.ends_with('/'))
+      fail(fmt::format("corner '{}' ends in a slash, expected an index behind it", shown(word)));
     mesh_builder::corner corner{};
     corner.position = read_index("vertex", word.substr(0, slash), built_.positions.size(), highest_vertex_);
     if (slash != std::string_view::npos) {
       const std::string_view texture = word.substr(slash + 1, second - slash - 1);
       if (!texture.empty()) read_index("texture coordinate", texture, textures_, highest_texture_);
     }
-    if (second == word.size() - 1)
-      fail(fmt::format("corner '{}' ends in a slash, expected the index of a normal behind it", shown(word)));
     if (second != std::string_view::npos)
       corner.normal = read_index("normal", word.substr(second + 1), built_.normals.size(), highest_normal_);
     return corner;

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 #include "tb/line_reader.h"
@@ -67,6 +68,11 @@ read_world read_scene(const std::string& name, int density) {
     read.files = std::move(made.files);
   }
   read.files.push_back(name);
+  const camera view = fitted_camera(read.of.surface);
+  const vec distance = view.eye - view.target;
+  if (std::max({std::abs(distance.x), std::abs(distance.y), std::abs(distance.z)}) < mesh::kSmallest)
+    throw file_error(name, 0,
+                     fmt::format("is too small, expected an extent of at least {}", mesh::kSmallest));
   return read;
 }
 

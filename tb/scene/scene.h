@@ -45,6 +45,9 @@ struct mesh {
 
   /// Products of three coordinates, and of three such products, stay finite.
   static constexpr double kLargest = 1e30;
+
+  /// Of a mesh's extent: products of three lengths stay normal numbers.
+  static constexpr double kSmallest = 1e-100;
 };
 
 inline constexpr std::size_t kMostLights = 64;  ///< that a renderer takes

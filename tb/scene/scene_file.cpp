@@ -22,7 +22,7 @@ class field {
  public:
   field(const std::string& path, const json_document& in) : path_(path), lines_(in.lines), value_(in.root) {}
 
-  /// 0 for the whole, and for what the document does not say.
+  /// 0 for what is too deep to be named.
   std::size_t line() const { return line_of(where_); }
 
   [[noreturn]] void fail(const std::string& what) const { fail_at(where_, what); }
@@ -226,8 +226,10 @@ read_world read_scene_file(const std::string& path, const std::string& text, int
     if (find("density") != nullptr)
       find("density")->fail("is of a built-in shape, expected none beside a mesh from a file");
   }
-  if (density == 0 && find("density") != nullptr)
-    density = find("density")->integer(kLeastDensity, kMostDensity);
+  if (find("density") != nullptr) {
+    const int said = find("density")->integer(kLeastDensity, kMostDensity);
+    if (density == 0) density = said;
+  }
   read_world read = read_scene(name, density);
   world& made = read.of;
   for (const auto& [key, value] : members) {

@@ -74,6 +74,15 @@ TEST_CASE("the report has what was computed and what it cost", "[cli][render]") 
   CHECK(report["nmse"] > 0);
   CHECK(report["units"] == json{"ambient", "diffuse", "specular", top_of("q16"), "saturation"});
   CHECK(report["messages"].empty());
+  double frame_s = 0;
+  std::vector<std::string> phases;
+  for (const auto& [phase, seconds] : report["host_s"].items()) {
+    phases.push_back(phase);
+    if (phase != "reading" && phase != "reference" && phase != "picture") frame_s += seconds.get<double>();
+  }
+  CHECK(phases == std::vector<std::string>{"device", "picture", "plan", "reading", "reference", "shading",
+                                           "visibility"});
+  CHECK(report["frames_per_second"].get<double>() == Approx(1 / frame_s));
   CHECK(slurp(folder.path("c.png")).starts_with("\x89PNG"));
   const std::string waves = slurp(folder.path("w.vcd"));
   CHECK(waves.find("$enddefinitions") != std::string::npos);
@@ -200,6 +209,20 @@ TEST_CASE("what a scene file has wrong is said with file and line", "[cli][rende
     folder.write("s.JSON", "{\"mesh\": \"sphere\",\n" + member + "}");
     refuses(folder, in(folder, "s.JSON"), words);
   }
+  // What the command line says comes first, and hides no fault of the file.
+  for (const auto& [member, option] :
+       std::vector<std::pair<std::string, std::string>>{{"\"shading\": \"Phong\"", " --shading flat"},
+                                                        {"\"size\": [0, 4]", " --size 8x8"},
+                                                        {"\"device\": \"x\"", " --device quadratic"},
+                                                        {"\"format\": \"q9\"", " --format q8"},
+                                                        {"\"density\": 1", " --density 8"}}) {
+    folder.write("s.JSON", "{\"mesh\": \"sphere\",\n" + member + "}");
+    refuses(folder, in(folder, "s.JSON") + option, "s.JSON:2: ");
+  }
+  for (const char* whole : {"[]", "3", "\"sphere\"", "{}", "{\"density\": 3}"}) {
+    folder.write("s.JSON", std::string("\n") + whole + "\n");
+    refuses(folder, in(folder, "s.JSON"), "s.JSON:2: the file: ");
+  }
   folder.write("s.JSON", "{\"mesh\": \"s.JSON\"}");
   refuses(folder, in(folder, "s.JSON"), "s.JSON:1: mesh: is a scene, expected a mesh");
   for (const char* none : {"nosuch.obj", "."}) {
@@ -284,6 +307,25 @@ TEST_CASE("a file of the library without a material is plain, and what it does n
       "end_header\n-1 -1 0\n1 -1 0\n0 1 0\n3 0 1 2\n200 0 0 200 0 0\n");
   CHECK_THAT(rendered(folder, in(folder, "m.ply") + " --size 8x8")["messages"].dump(),
              !ContainsSubstring(plain));
+  folder.write("t.raw", "mesh\n0 0 0 1 0 0 0 1 0\n");
+  folder.write("t.x",
+               "xof 0303txt 0032\nMesh m {\n3;\n0.0;0.0;0.0;,\n1.0;0.0;0.0;,\n0.0;1.0;0.0;;\n1;\n"
+               "3;0,1,2;;\n}\n");
+  const auto ac = [](const char* material) {
+    return std::string("AC3Db\n") + material +
+           "OBJECT world\nkids 1\nOBJECT poly\nnumvert 3\n0 0 0\n1 0 0\n0 1 0\nnumsurf 1\nSURF 0x20\n"
+           "mat 0\nrefs 3\n0 0 0\n1 0 0\n2 0 0\nkids 0\n";
+  };
+  folder.write("t.ac", ac(""));
+  for (const char* name : {"t.raw", "t.x", "t.ac"}) {
+    CAPTURE(name);
+    CHECK_THAT(rendered(folder, in(folder, name) + " --size 8x8")["messages"].dump(),
+               ContainsSubstring(plain));
+  }
+  folder.write("t.ac", ac("MATERIAL \"\" rgb 0.6 0.6 0.6  amb 0.2 0.2 0.2  emis 0 0 0  "
+                          "spec 0.5 0.5 0.5  shi 10  trans 0\n"));
+  CHECK_THAT(rendered(folder, in(folder, "t.ac") + " --size 8x8")["messages"].dump(),
+             !ContainsSubstring(plain));
   CHECK_THAT(gltf("none.gltf", "", ""), ContainsSubstring(plain));
   const std::string one =
       R"("materials":[{"name":"x","pbrMetallicRoughness":{"baseColorFactor":[1,0,0,1]}}],)";
@@ -310,6 +352,13 @@ TEST_CASE("waves of pixels without a write are said to be empty", "[cli][render]
                             in(folder, "p.png") + " --vcd " + in(folder, "w.vcd"));
   CHECK(dark.status == 0);
   CHECK_THAT(dark.err, ContainsSubstring("--vcd: no pixel is in a highlight, so the device has no write"));
+  folder.write("none.json", R"({"mesh": "sphere", "lights": [], "ambient": [0, 0, 0]})");
+  const outcome unlit =
+      run_blysk(folder, "render " + in(folder, "none.json") + " --size 8x8 --units systemc --units-vcd " +
+                            in(folder, "u.vcd") + " --output " + in(folder, "p.png"));
+  CAPTURE(unlit.err);
+  CHECK(unlit.status == 0);
+  CHECK_THAT(unlit.err, ContainsSubstring("--units-vcd: no point is lit, so the units have no row"));
 }
 
 TEST_CASE("a scene without highlights has no device and no clock", "[cli][render]") {
@@ -563,6 +612,7 @@ TEST_CASE("segments are another renderer", "[cli][render]") {
   const json rays = rendered(folder, scene + "--renderer segments --segment 1 --engine systemc");
   CHECK(slurp(folder.path("p.png")) == picture);
   CHECK(rays["segments"]["pixels_traced"] == 64 * 48);
+  CHECK(rays["points"] == whole["points"]);  // the rays that meet the mesh
   CHECK(rays["segments"]["elements_2_29"] == 65 * 48);
   const json some = rendered(folder, scene +
                                          "--renderer segments --segment-limit 5 --segment-measure rgb "
@@ -719,6 +769,8 @@ TEST_CASE("a bad scene is one line that names file and line", "[cli][render]") {
   refuses_text("a.obj", kTriangle + "f 1 2\n", ":4: face has 2 corners, expected three or more");
   refuses_text("a.obj", "v 0 0 nan\n", ":1: vertex has 'nan', expected three numbers");
   refuses_text("a.obj", "v 0 0 1e31\n", ":1: vertex has 1e31, expected at most 1e+30");
+  refuses_text("a.obj", "v 0 0 0\nv 1e-101 0 0\nv 0 1e-101 0\nf 1 2 3\n",
+               ": is too small, expected an extent of at least 1e-100");
   refuses_text("a.obj", "v 0 0\n", ":1: vertex has '', expected three numbers");
   refuses_text("a.obj", kTriangle + "f 1 1 2\n", ": has no triangle with an area, expected one");
   refuses_text("a.obj", std::string("v 0 0 1\n\0\n", 10), ":2: holds a zero byte, expected text");
@@ -751,8 +803,8 @@ TEST_CASE("a bad scene is one line that names file and line", "[cli][render]") {
                ":3: lights[1]: has 'color', expected direction, position, colour");
   refuses_text("a.json", "{\"mesh\": \"sphere\",\n\"materials\": {\"*\": {\"n\":\n1.5}}}",
                ":2: materials.*.n: is 1.5, expected an integer");
-  refuses_text("a.json", "[]", ": the file: is array, expected an object");
-  refuses_text("a.json", R"({"lights": []})", ": the file: has no mesh, expected its name");
+  refuses_text("a.json", "[]", ":1: the file: is array, expected an object");
+  refuses_text("a.json", R"({"lights": []})", ":1: the file: has no mesh, expected its name");
   refuses_text("a.json", R"({"mesh": "sphere", "lamps": []})",
                ":1: the file: has 'lamps', expected mesh, density");
   refuses_text("a.json", R"({"mesh": "sphere", "lights": [{}]})",

@@ -112,8 +112,12 @@ TEST_CASE("numbers of a material are made legal, and every change is said", "[sc
   CHECK(message_of("illum 2\nKs 1 1 1\n") == "Ns absent, 1 taken");
   CHECK(message_of("Kd 1 0 0\nmap_Kd a b.png\n") == "map_Kd dropped");
   CHECK(message_of("Kd 1 0 0\nd 0.5\n") == "d 0.5 dropped, surfaces are opaque");
-  CHECK(message_of("Kd 1 0 0\nd 1\nTr 0\nNi 1.5\n").empty());
-  CHECK(message_of("Kd 1 0 0\nd 0.5\n").find("d 0.5 dropped") != std::string::npos);
+  CHECK(message_of("Kd 1 0 0\nd 1\nTr 0\nNi 1.0\nTf 1 1 1\n").empty());
+  CHECK(message_of("Kd 1 0 0\nNi 1.45\nTf 1 0.5 1\nsharpness 60\n") ==
+        "Ni dropped; Tf dropped; sharpness dropped");
+  CHECK(message_of("Kd 1 0 0\nd 1 junk\n") == "d 1 junk dropped, surfaces are opaque");
+  CHECK(message_of("Kd 1 0 0\nd -halo 0.5\n") == "d -halo 0.5 dropped, surfaces are opaque");
+  CHECK(message_of("Kd 1 0 0\nd -halo 1\n").empty());
   CHECK(message_of("Kd spectral x.rfl 1\n") == "Kd spectral dropped, RGB is read");
   CHECK(message_of("Kd 1 0 0 1 junk\n") == "'1 junk' behind Kd dropped");
   CHECK(message_of("illum 2\nKs 1 1 1\nNs 10 20\n") == "'20' behind Ns dropped");
@@ -263,7 +267,9 @@ TEST_CASE("indices are checked where they stand, and may lead ahead", "[scene]")
         "a.obj:5: texture coordinate 'x' does not exist, expected 1 to 0");
   CHECK(refusal_of("vt nan 0\n" + kSquare) == "a.obj:1: texture coordinate has 'nan', expected a number");
   CHECK(refusal_of(kSquare + "f 1// 2// 3//\n") ==
-        "a.obj:5: corner '1//' ends in a slash, expected the index of a normal behind it");
+        "a.obj:5: corner '1//' ends in a slash, expected an index behind it");
+  CHECK(refusal_of(kSquare + "f 1/ 2/ 3/\n") ==
+        "a.obj:5: corner '1/' ends in a slash, expected an index behind it");
   CHECK(read(kSquare + "f 1/1 2/1 3/1\nvt 0 0\n").of.triangles.size() == 1);
   CHECK(refusal_of("s x\n" + kSquare) == "a.obj:1: smoothing group is 'x', expected off or a number");
   CHECK(read("vt 0 0\nvn 0 0 1\n" + kSquare + "f 1/1/1 2/1/1 3/1/1\nf 1/1 3/1 4/1\nf 1//1 3//1 4//1\n")
