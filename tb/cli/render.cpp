@@ -237,7 +237,7 @@ void run(const CLI::App& verb, render_options asked) {
   else if (!asked.vcd.empty() && made.device_writes == 0)
     say("blysk", "--vcd: no pixel is in a highlight, so the device has no write");
   if (!asked.units_vcd.empty() && made.unit_rows == 0)
-    say("blysk", "--units-vcd: no point is lit, so the units have no row");
+    say("blysk", "--units-vcd: no pixel sees the mesh, so the units have no row");
   made.host_s["reading"] = reading.count();
   const render::circumstances in = around();
   files.write(job, made, in);

@@ -352,13 +352,12 @@ TEST_CASE("waves of pixels without a write are said to be empty", "[cli][render]
                             in(folder, "p.png") + " --vcd " + in(folder, "w.vcd"));
   CHECK(dark.status == 0);
   CHECK_THAT(dark.err, ContainsSubstring("--vcd: no pixel is in a highlight, so the device has no write"));
-  folder.write("none.json", R"({"mesh": "sphere", "lights": [], "ambient": [0, 0, 0]})");
-  const outcome unlit =
-      run_blysk(folder, "render " + in(folder, "none.json") + " --size 8x8 --units systemc --units-vcd " +
+  const outcome away =
+      run_blysk(folder, "render sphere --eye 0,0,4 --target 0,0,8 --size 8x8 --units systemc --units-vcd " +
                             in(folder, "u.vcd") + " --output " + in(folder, "p.png"));
-  CAPTURE(unlit.err);
-  CHECK(unlit.status == 0);
-  CHECK_THAT(unlit.err, ContainsSubstring("--units-vcd: no point is lit, so the units have no row"));
+  CAPTURE(away.err);
+  CHECK(away.status == 0);
+  CHECK_THAT(away.err, ContainsSubstring("--units-vcd: no pixel sees the mesh, so the units have no row"));
 }
 
 TEST_CASE("a scene without highlights has no device and no clock", "[cli][render]") {
