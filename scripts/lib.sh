@@ -19,6 +19,9 @@ die() { say "$@"; exit 1; }
 # bad_input WHAT: of a file that a user named.
 bad_input() { say "$@"; exit 2; }
 
+# make_folder FOLDER: with those above it.
+make_folder() { mkdir -p -- "$1" 2>/dev/null || bad_input "cannot make the folder '$1', expected one to write into"; }
+
 # take_help "$@": where --help or -h is among the script's arguments, shows its help() and ends it.
 take_help() {
   local word
@@ -77,7 +80,7 @@ show_newest_line() {
 configure() {
   local configured=$root/build/systemc-of-environment
   say "configuring build/"
-  rm -f "$configured"
+  rm -f "$configured" 2>/dev/null || die "cannot write build/; an earlier call, as root, may have made it"
   logged configure cmake -S "$root" --preset release "$@" -U SystemCLanguage_DIR -U SYSTEMC_HOME || exit 1
   echo "$systemc_of_environment" >"$configured"
 }
@@ -105,6 +108,7 @@ build() {
 # build_part FORMAT TARGET...: builds the targets, with q16, FORMAT and without engine verilator where build/ is not there yet:
 # minutes in place of an hour. What is there in build/ already stays in it.
 build_part() {
+  expect_format "$1"
   local format=$1 part=(-DBLYSK_VERILATED=OFF -DBUILD_TESTING=OFF -DCMAKE_UNITY_BUILD=ON)
   local formats=q16
   [ "$format" = q16 ] || formats+=";$format"
@@ -121,6 +125,12 @@ build_part() {
   fi
   build_configured "$@"
 }
+
+# formats: the named formats, a line each.
+formats() { sed -nE 's/^BLYSK_NAMED_FORMAT\((.+)\).*/\1/p' "$root/tb/formats.def"; }
+
+# expect_format FORMAT: refuses a name that no format has, before anything is configured for it.
+expect_format() { formats | grep -qxF -- "$1" || bad_input "format '$1' does not exist, expected $(formats | paste -sd' ')"; }
 
 # is_part: whether build/ has some formats only.
 is_part() { [ -f "$root/build/CMakeCache.txt" ] && [ -n "$(cached BLYSK_FORMATS)" ]; }
@@ -146,4 +156,4 @@ wave_header() { sed '/\$enddefinitions/q' "$1"; }
 
 # device_of_waves FILE.vcd: the arguments that choose the device, as `blysk simulate --vcd` leaves them; nothing for the
 # waves of another program.
-device_of_waves() { wave_header "$1" | sed -n 's/^blysk-device \(\(--[a-z-]* *[A-Za-z0-9.,-]* *\)*\)$/\1/p' | sed -n 1p; }
+device_of_waves() { wave_header "$1" | sed -n 's/\r$//; s/^blysk-device \(\(--[a-z-]* *[A-Za-z0-9.,-]* *\)*\)$/\1/p' | sed -n 1p; }

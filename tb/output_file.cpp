@@ -181,11 +181,14 @@ int make_new(const fs::path& folder, std::string_view base, std::string_view end
   return made;
 }
 
-/// Devices and what a process has open are no places for another file; shared memory is.
 constexpr const char* kStandardInput = "/dev/stdin";
 
+/// Devices and what a process has open are no places for another file; shared memory is. The folder decides, wherever the
+/// path comes to it from: /proc/self/cwd/a.csv and /dev/../a.csv are files like others.
 bool is_special(const fs::path& path) {
-  const std::string name = path.string();
+  std::error_code error;
+  const fs::path folder = fs::weakly_canonical(fs::absolute(path, error).parent_path(), error);
+  const std::string name = (error ? path : folder / path.filename()).string();
   return name.starts_with("/proc/") || (name.starts_with("/dev/") && !name.starts_with("/dev/shm/"));
 }
 
@@ -378,8 +381,9 @@ const std::string& output_file::temporary_path() const {
 
 void output_file::write(std::string_view text) {
   errno = 0;
+  if (line_ == 1 && text.find('\0') != std::string_view::npos) line_ = 0;
   if (std::fwrite(text.data(), 1, text.size(), file_.get()) != text.size()) fail(line_);
-  line_ += count_lines(text);
+  if (line_ > 0) line_ += count_lines(text);
 }
 
 void output_file::flush() {
@@ -429,11 +433,12 @@ std::string input_path(const std::string& path) {
 void expect_different_files(const std::vector<std::string>& options, const std::vector<std::string>& paths) {
   const auto leads_to = [](const std::string& path) -> fs::path {
     std::error_code ignored;
+    if (path.empty()) return {};
     if (is_standard_output(path)) return "/dev/stdout";
-    if (path == kStandardInput && fs::is_regular_file(path, ignored)) return path;
     // The last link may lead to a file that is not there yet.
-    return path.empty() || is_special(path) ? fs::path()
-                                            : fs::weakly_canonical(fs::absolute(followed(path)), ignored);
+    const fs::path place = followed(path);
+    if (!is_special(place)) return fs::weakly_canonical(fs::absolute(place), ignored);
+    return fs::is_regular_file(place, ignored) ? place : fs::path();  // an open file
   };
   for (std::size_t i = 0; i < paths.size(); ++i) {
     const fs::path place = leads_to(paths[i]);

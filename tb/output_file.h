@@ -24,7 +24,7 @@ namespace blysk {
 /// mount point, with another owner, with a second hard link. A file that the user may not write is refused.
 ///
 /// "-" is standard output, and so is /dev/stdout; a device such as a terminal is written as it stands, and so is what lies
-/// in /dev and /proc.
+/// in /dev and /proc, such as /dev/fd/3.
 class output_file {
  public:
   /// \param ending  not empty if a library opens the file by its name: what the temporary name ends with. The file lies
@@ -66,7 +66,7 @@ class output_file {
   std::unique_ptr<temporary_file> temporary_;  // null if written as it stands
   bool copies_ = false;                        // commit() copies over what is there
   std::unique_ptr<std::FILE, close_stream> file_;
-  std::size_t line_ = 1;
+  std::size_t line_ = 1;  // for messages; 0: what is written is no text
 };
 
 /// True for "-" and for what names the same: /dev/stdout, /dev/fd/1, /proc/self/fd/1, a link to one of them.
@@ -76,7 +76,7 @@ bool is_standard_output(const std::string& path);
 std::string input_path(const std::string& path);
 
 /// \throws usage_error if two of the paths lead to the same file, the same place for one, or standard output; "" is none.
-///         Standard input counts where it is a regular file.
+///         Standard input and other open files (/dev/fd/3) count where they are regular files.
 /// \param options  what the paths are given by, for the message: "--results"
 void expect_different_files(const std::vector<std::string>& options, const std::vector<std::string>& paths);
 

@@ -7,8 +7,13 @@ import sys
 import termios
 import tty
 
-line = os.open(sys.argv[1], os.O_RDWR | os.O_NOCTTY)
-tty.setraw(line)
+if len(sys.argv) != 2:
+    sys.exit("usage: serial_host.py DEVICE, such as /dev/ttyUSB1")
+try:
+    line = os.open(sys.argv[1], os.O_RDWR | os.O_NOCTTY)
+    tty.setraw(line)
+except (OSError, termios.error) as error:
+    sys.exit(f"{sys.argv[1]}: {error.args[1]}, expected a serial line")
 settings = termios.tcgetattr(line)
 settings[4] = settings[5] = termios.B115200
 termios.tcsetattr(line, termios.TCSAFLUSH, settings)

@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
+#include "tb/cli/numbers.h"
 #include "tb/cli/vector_text.h"
 #include "tb/cli/verbs.h"
-#include "tb/cli/whole_number.h"
 #include "tb/device_arguments.h"
 #include "tb/progress.h"
 

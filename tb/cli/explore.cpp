@@ -11,12 +11,13 @@
 #include <optional>
 #include <set>
 
+#include "tb/cli/numbers.h"
 #include "tb/cli/verbs.h"
-#include "tb/cli/whole_number.h"
 #include "tb/cost/measured.h"
 #include "tb/cost/sweep.h"
 #include "tb/cost/table.h"
 #include "tb/formats_of_build.h"
+#include "tb/output_file.h"
 #include "tb/progress.h"
 #include "tb/read_number.h"
 #include "tb/usage_error.h"
@@ -75,10 +76,18 @@ bool is_word_length(const std::string& name) {
                              [&](const device* of) { return word_lengths_of(*of).contains(name); });
 }
 
+bool is_option(const std::string& name) {
+  return std::ranges::any_of(devices(), [&](const device* of) {
+    const std::vector<option> own = of->options();
+    return std::ranges::find(own, name, &option::name) != own.end();
+  });
+}
+
 /// Takes "--NAME VALUE". A name may be that of an option and of a word length; both can be given then.
 void take(options& asked, const std::string& name, const std::string& value) {
-  // "--constant 101" is a range by its look, but an option of a device and no word length of any.
-  auto& to = is_range(value) && is_word_length(name) ? asked.ranges : asked.named;
+  // "--constant 101" is a range by its look, but an option of a device and no word length of any; what is wrong with
+  // "--cos 8,9" a range says.
+  auto& to = is_word_length(name) && (is_range(value) || !is_option(name)) ? asked.ranges : asked.named;
   if (!to.emplace(name, value).second)
     throw usage_error(fmt::format("--{} is {} and {}, expected one of them", name, to.at(name), value));
 }
@@ -202,6 +211,8 @@ void print_table(const options& asked, const std::vector<cost::configuration>& r
     if (drawn == 0)
       throw usage_error(
           "--html: none of these configurations has an error against cos^n, expected one to draw");
+    for (const std::string& path : cost::measured_paths(asked.measured))
+      expect_different_files({"--measured", "--html"}, {path, asked.html});
     cost::write_text(asked.html, cost::html_page(json_rows(rows, domains_of(asked)), asked.metric));
     if (asked.html != "-")
       fmt::print("{}: {} configuration{}\n", printable(asked.html), drawn, drawn == 1 ? "" : "s");
@@ -314,6 +325,8 @@ void print_sweep(const options& asked, const cost::sweep& of, const std::vector<
 }
 
 void measure(const options& asked) {
+  if (asked.output == "-")
+    throw usage_error("--output is -, expected a directory: a sweep has a file for each row");
   const cost::sweep of = sweep_of(asked);
   domains_of(asked);
   cost::find_metric(asked.metric);
@@ -423,7 +436,8 @@ void add_options_of_devices(CLI::App& verb, const asked_options& asked) {
     const ownership owners = owners_of(key);
     if (!owners.has_value) {
       verb.add_flag_callback(
-          "--" + key, [asked, key] { asked->named[key] = "on"; }, help);
+              "--" + key, [asked, key] { asked->named[key] = "on"; }, help)
+          ->disable_flag_override();
       continue;
     }
     CLI::Option* const added = verb.add_option_function<std::vector<std::string>>(
@@ -503,6 +517,8 @@ void run_merge(const options& asked) {
   cost::find_metric(asked.metric);
   domain_of(asked);
   if (asked.json || asked.csv) refuse_metric(asked);
+  if (asked.merged == "-")
+    throw usage_error("--output is -, expected a directory: a sweep has a file for each row");
   const auto [of, rows] = cost::merge_shards(asked.shards, asked.merged);
   print_sweep(asked, of, rows);
 }

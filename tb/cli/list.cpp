@@ -7,8 +7,10 @@
 #include <nlohmann/json.hpp>
 
 #include "tb/cli/engines.h"
-#include "tb/cli/measured.h"
 #include "tb/cli/verbs.h"
+#include "tb/cost/cost_row.h"
+#include "tb/cost/errors.h"
+#include "tb/cost/measured.h"
 #include "tb/device.h"
 #include "tb/golden/registry.h"
 #include "tb/netlist/elaborated.h"
@@ -18,6 +20,8 @@ namespace {
 
 using json = nlohmann::ordered_json;
 
+constexpr std::string_view kEpicentre = "epicentre-0.60";  // domains of `explore`
+constexpr std::string_view kWhole = "whole";
 const std::string kTableFormat = "q16";  // of the table for people; JSON has all formats
 
 json columns_of(const std::vector<port>& ports, port::role role) {
@@ -50,17 +54,26 @@ json blocks_of(const selection& asked) {
   return blocks;
 }
 
-/// Rows of the measured table, as `explore` names their keys.
-json errors_of(const selection& asked) {
+/// Of the measured rows of each format that has one, with the keys and values that `explore` has.
+json errors_of(const device& of) {
   json rows = json::array();
-  const std::optional<selection> other = asked.of().computes_as(asked);
-  for (const worst_errors& each : measured_errors((other ? other->of() : asked.of()).identifier())) {
-    rows.push_back({{"format", each.format},
-                    {"domain", "epicentre"},
-                    {"max_rel_err", each.epicentre},
-                    {"n", each.epicentre_n}});
-    rows.push_back(
-        {{"format", each.format}, {"domain", "whole"}, {"max_abs_err", each.whole}, {"n", each.whole_n}});
+  for (const auto format : format_names) {
+    selection asked = choose(of.name(), std::string(format));
+    if (auto other = of.computes_as(asked)) asked = *other;
+    const std::string path = cost::row_path("errors", asked);
+    const std::optional<std::string> text = cost::embedded_text(path);
+    if (!text) continue;
+    const cost::error_table table = cost::parse_errors(path, json::parse(*text).at("domains"));
+    const auto in = [&](cost::domain where) { return table[static_cast<std::size_t>(where)]; };
+    const cost::errors whole = in(cost::domain::whole);
+    rows.push_back({{"format", format},
+                    {"domain", kEpicentre},
+                    {"max_rel_err", in(cost::domain::epicentre_060).max_rel_err}});
+    rows.push_back({{"format", format},
+                    {"domain", kWhole},
+                    {"max_abs_err", whole.max_abs_err},
+                    {"n", whole.max_abs_n},
+                    {"cos", whole.max_abs_cos}});
   }
   return rows;
 }
@@ -88,7 +101,7 @@ json device_listing(const device& of) {
           {"rom_bits", rom_bits},
           {"latency_cycles", latency ? json(*latency) : json(nullptr)},
           {"cycles_per_row", latency ? json(of.cycles_per_row(asked)) : json(nullptr)},
-          {"errors", errors_of(asked)},
+          {"errors", errors_of(of)},
           {"options", options_of(of)}};
 }
 
@@ -114,14 +127,12 @@ std::string joined(const json& names, std::string_view separator) {
   return fmt::format("{}", fmt::join(names.get<std::vector<std::string>>(), separator));
 }
 
-/// The table format's row of the domain: "3.2 % (n = 1000)" if relative, "0.28 (n = 500)" if absolute; "-" if there is none.
-std::string error_text(const json& device, const char* domain) {
+/// The table format's row of the domain: "3.2 %" if relative, "0.28 (n = 969)" if absolute; "-" if there is none.
+std::string error_text(const json& device, std::string_view domain) {
   for (const auto& row : device["errors"]) {
     if (row["format"] != kTableFormat || row["domain"] != domain) continue;
-    const std::string value = row.contains("max_rel_err")
-                                  ? fmt::format("{:.2g} %", 100 * row["max_rel_err"].get<double>())
-                                  : fmt::format("{:.2g}", row["max_abs_err"].get<double>());
-    return fmt::format("{} (n = {})", value, row["n"].get<int>());
+    if (row.contains("max_rel_err")) return fmt::format("{:.2g} %", 100 * row["max_rel_err"].get<double>());
+    return fmt::format("{:.2g} (n = {})", row["max_abs_err"].get<double>(), row["n"].get<int>());
   }
   return "-";
 }
@@ -143,7 +154,7 @@ std::vector<std::vector<std::string>> device_table(const json& listed) {
     rows.push_back({each["name"].get<std::string>(),
                     each["source"].get<std::string>() + ", " + each["figure"].get<std::string>(),
                     std::to_string(each["blocks"].size()), number_text(each["rom_bits"][kTableFormat]),
-                    cycles_text(each), error_text(each, "epicentre"), error_text(each, "whole"),
+                    cycles_text(each), error_text(each, kEpicentre), error_text(each, kWhole),
                     each["good_for"].get<std::string>()});
   }
   return rows;
@@ -178,6 +189,12 @@ void print(const json& listed) {
   for (const auto& each : listed["devices"]) {
     fmt::print("  {:<24} {}; {} to {}\n", each["name"].get<std::string>(), each["title"].get<std::string>(),
                joined(each["stimulus"], ","), joined(each["results"], ","));
+    for (const auto& [alias, fixed] : each["aliases"].items()) {
+      std::string words;
+      for (const auto& [name, value] : fixed.items())
+        words += fmt::format(" --{} {}", name, value.get<std::string>());
+      fmt::print("  {:<24} also {}:{}\n", "", alias, words);
+    }
     for (const auto& of : each["options"]) {
       const std::string values = joined(of["values"], ", ");
       const std::string golden = joined(of["golden_values"], ", ");

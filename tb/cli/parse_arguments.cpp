@@ -56,6 +56,10 @@ void parse_arguments(CLI::App& program, const std::string& name, int argc, char*
     std::erase(unknown, "--");
     if (unknown.empty()) {
       expect_no_empty_value(program);
+      constexpr std::string_view kOverride = " was given a disallowed flag override";
+      if (const std::string_view what = error.what(); what.ends_with(kOverride))
+        throw usage_error(fmt::format("--{} is followed by a value, expected none, see {} --help",
+                                      what.substr(0, what.size() - kOverride.size()), called(program, name)));
       throw usage_error(fmt::format("{}, see {} --help", error.what(), called(program, name)));
     }
     const auto option =

@@ -15,7 +15,7 @@
 #include <utility>
 
 #include "tb/cli/engines.h"
-#include "tb/cli/whole_number.h"
+#include "tb/cli/numbers.h"
 #include "tb/formats_of_build.h"
 #include "tb/output_file.h"
 #include "tb/read_number.h"
@@ -194,7 +194,7 @@ void add_render_options(CLI::App& verb, render_options& to) {
       ->capture_default_str();
   verb.add_option("--segment-limit", to.by_segments.limit,
                   "the largest difference of its ends at which a segment is interpolated")
-      ->check(CLI::Range(0.0, 1000.0))
+      ->transform(real_number(0, 1000))
       ->capture_default_str();
   verb.add_option("--segment-measure", to.segment_measure,
                   "of that difference; cie76: in CIELAB; rgb: of the codes 0..255")
@@ -257,7 +257,7 @@ void add_render_options(CLI::App& verb, render_options& to) {
   verb.add_option("--background", to.background, "R,G,B, each in [0, 1]");
   verb.add_option("--eye", to.eye, "X,Y,Z of the camera");
   verb.add_option("--target", to.target, "X,Y,Z of what it looks at");
-  verb.add_option("--fov", to.fov_deg, "degrees over the shorter side")->check(CLI::Range(0.001, 179.0));
+  verb.add_option("--fov", to.fov_deg, "degrees over the shorter side")->transform(real_number(0.001, 179));
   verb.add_option("--exponent", to.exponent, "of all materials, in place of their own")
       ->transform(whole_number(1, 1000));
   verb.add_option("--density", to.density, "of a built-in shape's mesh")
@@ -376,10 +376,6 @@ void apply(const render_options& asked, scene::world& to) {
   if (asked.exponent > 0) {
     for (scene::material& each : to.surface.materials) each.n = asked.exponent;
   }
-  // CLI::Range takes NaN, which is on no wrong side of a bound.
-  if (std::isnan(asked.fov_deg)) throw usage_error("--fov is nan, expected a number in [0.001, 179]");
-  if (std::isnan(asked.by_segments.limit))
-    throw usage_error("--segment-limit is nan, expected a number in [0, 1000]");
   if (!asked.eye.empty() || !asked.target.empty() || asked.fov_deg > 0) {
     if (!to.view) to.view = scene::fitted_camera(to.surface);
     if (!asked.eye.empty()) to.view->eye = place_of("--eye", asked.eye);

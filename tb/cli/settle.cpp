@@ -11,8 +11,8 @@
 #include <span>
 #include <vector>
 
+#include "tb/cli/numbers.h"
 #include "tb/cli/verbs.h"
-#include "tb/cli/whole_number.h"
 #include "tb/cost/delays.h"
 #include "tb/device_arguments.h"
 #include "tb/harness/settling_bench.h"

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "tb/cli/engines.h"
+#include "tb/cli/numbers.h"
 #include "tb/cli/stream.h"
 #include "tb/cli/verbs.h"
 #include "tb/cost/delays.h"
@@ -323,9 +324,10 @@ void add_simulate(CLI::App& program, int& status) {
   verb->add_flag("--vcd-deltas", asked->vcd_deltas,
                  "write each delta cycle 1 ps after the one before it, which shows the order of settling");
   verb->add_option(
-      "--period", asked->period_ns,
-      "ns of the clock (engine timed); a strobe comes half of it after the registers are loaded, and "
-      "one that comes too early is reported. Without it the period is long enough for all writes");
+          "--period", asked->period_ns,
+          "ns of the clock (engine timed); a strobe comes half of it after the registers are loaded, and "
+          "one that comes too early is reported. Without it the period is long enough for all writes")
+      ->transform(real_number());
   verb->add_option(
       "--delays", asked->delays,
       "delays of the blocks (engine timed), as scripts/synth --delays writes them; without it those "

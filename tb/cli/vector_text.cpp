@@ -36,6 +36,19 @@ std::int64_t signed_value(const wire_format& of, std::uint64_t bits) {
   return of.is_signed ? static_cast<std::int64_t>(bits << unused) >> unused : static_cast<std::int64_t>(bits);
 }
 
+/// A code as a file of vectors has it, two's complement: what is said of a signed one has its value too.
+std::string digits_of(const port& of, std::int64_t code) {
+  const int width = of.width();
+  const std::uint64_t mask = width == 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << width) - 1;
+  const std::string digits = fmt::format("{:0{}x}", static_cast<std::uint64_t>(code) & mask, (width + 3) / 4);
+  return of.carries->is_signed ? fmt::format("{} ({})", digits, code) : digits;
+}
+
+std::string legal_codes(const port& of) {
+  const wire_format& legal = *of.carries;
+  return fmt::format("{} to {}", digits_of(of, legal.min), digits_of(of, legal.max));
+}
+
 }  // namespace
 
 std::vector<port> inputs_of(const std::vector<port>& ports) {
@@ -172,7 +185,7 @@ void answer_reader::parse(answers& block) {
     const wire_format& legal = *each.carries;
     if (code < legal.min || code > legal.max) {
       throw lines_.error(
-          fmt::format("{} is {:x}, expected a code {:x}..{:x}", each.column, code, legal.min, legal.max));
+          fmt::format("{} is {}, expected {}", each.column, digits_of(each, code), legal_codes(each)));
     }
     codes.push_back(code);
   }

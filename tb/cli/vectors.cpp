@@ -5,9 +5,9 @@
 #include <limits>
 #include <memory>
 
+#include "tb/cli/numbers.h"
 #include "tb/cli/vector_text.h"
 #include "tb/cli/verbs.h"
-#include "tb/cli/whole_number.h"
 #include "tb/device_arguments.h"
 #include "tb/inputs.h"
 #include "tb/output_file.h"

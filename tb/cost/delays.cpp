@@ -146,13 +146,17 @@ device_delays parse_delays(const std::string& path, const std::string& text) {
   }
 }
 
-device_delays read_delays(const std::string& file, const selection& asked, const std::string& digest) {
+void expect_strobes(const selection& asked) {
   if (protocol_of(asked.of().ports(asked)) != protocol::strobes) {
     throw std::invalid_argument(fmt::format(
         "device {} takes its inputs by start and ready, expected one whose registers are written by "
         "strobes: no other has nets that take delays",
         asked.of().name()));
   }
+}
+
+device_delays read_delays(const std::string& file, const selection& asked, const std::string& digest) {
+  expect_strobes(asked);
   const std::string place = row_path("delays", asked);
   std::string path = file;
   std::string text;

@@ -38,20 +38,9 @@ std::vector<named_text> texts_of(const std::string& folder) {
       texts.push_back({std::string(each.path), std::string(each.text)});
     return texts;
   }
-  if (!fs::is_directory(folder)) throw file_error(folder, 0, "is no folder, expected one with measured rows");
-  std::error_code failed;
-  fs::path last = folder;
-  for (fs::recursive_directory_iterator entry(folder, failed), end; !failed && entry != end;
-       entry.increment(failed)) {
-    last = entry->path();
-    const std::string name = last.filename().string();
-    if (entry->is_regular_file() && (is_row(name) || name == kHostTimes))
-      texts.push_back({last.string(), read_text(last)});
-  }
-  if (failed) throw file_error(last.string(), 0, fmt::format("cannot be read ({})", failed.message()));
+  for (const std::string& path : measured_paths(folder)) texts.push_back({path, read_text(path)});
   if (texts.empty())
     throw file_error(folder, 0, "holds no measured rows, expected cost_*.json or errors_*.json");
-  std::ranges::sort(texts, {}, &named_text::path);
   return texts;
 }
 
@@ -170,6 +159,31 @@ std::string configuration::label() const {
   for (const auto& [name, value] : given_options(asked))
     text += value == "on" ? fmt::format(", {}", name) : fmt::format(", {} {}", name, value);
   return text;
+}
+
+std::vector<std::string> measured_paths(const std::string& folder) {
+  std::vector<std::string> paths;
+  if (folder.empty()) return paths;
+  std::error_code failed;
+  if (!fs::is_directory(folder, failed)) {
+    throw file_error(
+        folder, 0,
+        failed && failed != std::errc::no_such_file_or_directory
+            ? fmt::format("cannot be read ({}), expected a folder with measured rows", failed.message())
+            : "is no folder, expected one with measured rows");
+  }
+  fs::path last = folder;
+  for (fs::recursive_directory_iterator entry(folder, failed), end; !failed && entry != end;
+       entry.increment(failed)) {
+    last = entry->path();
+    const std::string name = last.filename().string();
+    std::error_code unknown;
+    if ((is_row(name) || name == kHostTimes) && entry->is_regular_file(unknown))
+      paths.push_back(last.string());
+  }
+  if (failed) throw file_error(last.string(), 0, fmt::format("cannot be read ({})", failed.message()));
+  std::ranges::sort(paths);
+  return paths;
 }
 
 std::vector<configuration> read_measured(const std::string& folder) {

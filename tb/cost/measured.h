@@ -71,6 +71,10 @@ struct configuration {
   std::string label() const;
 };
 
+/// The files of measured rows below a folder, sorted; none for the embedded ones.
+/// \throws usage_error if it cannot be read
+std::vector<std::string> measured_paths(const std::string& folder);
+
 /// The configurations of all rows, in the order of devices and formats.
 /// \param folder  with the files, such as docs/tables; empty for the embedded ones
 /// \throws usage_error for a damaged file, or a folder that holds none

@@ -63,10 +63,21 @@ json json_of(const sweep& of, const shard& part) {
   return result;
 }
 
+/// Whether there is something of that name.
+/// \throws usage_error if that cannot be told
+bool is_there(const fs::path& path, const char* expected) {
+  std::error_code unknown;
+  const bool found = fs::exists(path, unknown);
+  if (unknown)
+    throw file_error(path.string(), 0,
+                     fmt::format("cannot be read ({}), expected {}", unknown.message(), expected));
+  return found;
+}
+
 /// The sweep that a folder belongs to.
 std::pair<sweep, shard> read_description(const fs::path& folder) {
   const std::string path = (folder / kDescription).string();
-  if (!fs::exists(path))
+  if (!is_there(path, "the folder of a sweep"))
     throw file_error(folder.string(), 0,
                      fmt::format("has no {}, expected the folder of a sweep", kDescription));
   const json stored = parse_json(path, read_text(path), "JSON as blysk explore writes it");
@@ -136,7 +147,7 @@ class locked_folder {
 /// \returns whether the folder is that of the sweep's part; false: it is empty
 /// \throws usage_error if it holds anything else
 bool belongs_to(const fs::path& folder, const sweep& of, const shard& part) {
-  if (fs::exists(folder / kDescription)) {
+  if (is_there(folder / kDescription, "a folder to write into")) {
     const auto [there, its_part] = read_description(folder);
     if (json_of(there, its_part) != json_of(of, part))
       throw file_error(
@@ -144,12 +155,14 @@ bool belongs_to(const fs::path& folder, const sweep& of, const shard& part) {
           fmt::format("belongs to another sweep or shard, see {}; expected a new folder", kDescription));
     return true;
   }
-  for (const auto& entry : fs::directory_iterator(folder)) {
-    const std::string name = entry.path().filename().string();
+  std::error_code failed;
+  for (fs::directory_iterator entry(folder, failed), end; !failed && entry != end; entry.increment(failed)) {
+    const std::string name = entry->path().filename().string();
     if (!name.starts_with('.'))
       throw file_error(folder.string(), 0,
                        fmt::format("holds {}, expected an empty folder or that of the same sweep", name));
   }
+  if (failed) throw file_error(folder.string(), 0, fmt::format("cannot be read ({})", failed.message()));
   return false;
 }
 
@@ -359,7 +372,7 @@ std::vector<sweep_row> run_sweep(const sweep& of, const sweep_settings& settings
       if (advanced)
         advanced((static_cast<double>(rows.size()) + of_row) / static_cast<double>(points.size()));
     };
-    if (is_kept && fs::exists(place)) {
+    if (is_kept && is_there(place, "the folder of a sweep")) {
       rows.push_back({point, parse_row(place.string(), read_text(place), point)});
     } else {
       const error_table table =
@@ -399,9 +412,10 @@ std::pair<sweep, std::vector<sweep_row>> merge_shards(const std::vector<std::str
   if (!missing.empty())
     throw usage_error(
         fmt::format("shard {}/{} is missing, expected the folders of all shards", *missing.begin(), count));
-  if (fs::exists(to)) {
+  if (is_there(to, "a folder to write into")) {
     for (const std::string& folder : folders) {
-      if (fs::equivalent(folder, to))
+      std::error_code unknown;
+      if (fs::equivalent(folder, to, unknown))
         throw file_error(to, 0, "is one of the shards, expected another folder for the whole");
     }
     locks.push_back(std::make_unique<locked_folder>(to));
@@ -412,7 +426,7 @@ std::pair<sweep, std::vector<sweep_row>> merge_shards(const std::vector<std::str
   for (const sweep_point& point : points_of(*of).first) {
     const std::string name = file_of(*of, point);
     const auto shard_of = std::ranges::find_if(
-        folders, [&](const std::string& folder) { return fs::exists(fs::path(folder) / name); });
+        folders, [&](const std::string& folder) { return is_there(fs::path(folder) / name, "a shard"); });
     if (shard_of == folders.end())
       throw usage_error(fmt::format("row {} is in no shard, expected shards that came to their ends", name));
     const fs::path place = fs::path(*shard_of) / name;

@@ -100,17 +100,20 @@ std::string bench_text(const netlist::elaborated& device, const std::string& nam
   for (const port& each : ports) {
     declarations += fmt::format("  {} {}{};\n", each.is_input() ? "reg" : "wire", range_of(each), each.name);
     if (each.is_input() && each.name != clk && each.name != reset)
-      idle += fmt::format("    {} = 0;\n", each.name);
+      idle += fmt::format("      {} = 0;\n", each.name);
   }
   for (const port& each : data) declarations += fmt::format("  reg {}given_{};\n", range_of(each), each.name);
   const texts connections =
       texts_of(ports, [](const port& each) { return fmt::format(".{0}({0})", each.name); });
-  const texts given = texts_of(data, [](const port& each) { return "given_" + each.name; });
-  texts answered = given;
+  texts answered = texts_of(data, [](const port& each) { return "given_" + each.name; });
   std::ranges::transform(results, std::back_inserter(answered), &port::name);
   const auto words = [](std::size_t count) { return fmt::format("{}", fmt::join(texts(count, "%h"), " ")); };
-  const std::string read =
-      fmt::format("taken = $fscanf(vectors, \"{}\", {});", words(data.size()), fmt::join(given, ", "));
+  const texts read = texts_of(data, [](const port& each) { return "read_" + each.name; });
+  std::string beyond, taken;
+  for (const port& each : data) {
+    if (each.width() < 64) beyond += fmt::format(" && read_{} >> {} == 0", each.name, each.width());
+    taken += fmt::format("        given_{0} = read_{0};\n", each.name);
+  }
   const bool has_strobes = talks == protocol::strobes;
   return fmt::format(
       R"(// SPDX-License-Identifier: Apache-2.0
@@ -125,8 +128,11 @@ module {0}_bench;
 
   always #5 {3} = !{3};
 
-  reg [8*1024-1:0] path, header;
-  integer vectors, answers, taken;
+  reg [8*1024-1:0] vectors_path, answers_path, line;
+  reg [8*64-1:0] behind;
+  reg [63:0] {9};
+  reg is_wrong;
+  integer vectors, answers, number, size, taken;
 
   task answer;
     $fdisplay(answers, "{4}", {5});
@@ -137,33 +143,55 @@ module {0}_bench;
 {7}    end
   endtask
 
+  // A line of vectors; one that begins with # goes to the answers as it is.
+  task take;
+    begin
+      taken = $sscanf(line, "{10} %s", {9}, behind);
+      if (line[8*size-1-:8] == "#") $fwrite(answers, "%0s", line);
+      else if (taken == {11} && ^{{{9}}} !== 1'bx{12}) begin
+{13}        put;
+      end else if (taken >= 0) is_wrong = 1;  // not blank
+    end
+  endtask
+
   initial begin
-    // First of all the answers of an earlier run go: nobody takes them for those of this one.
-    if (!$value$plusargs("answers=%s", path)) path = "answers.txt";
-    answers = $fopen(path, "w");
-    if (answers == 0) begin
-      $display("%0s cannot be written, expected a file for the answers; +answers=FILE names it", path);
+    if (!$value$plusargs("answers=%s", answers_path)) answers_path = "answers.txt";
+    if (!$value$plusargs("vectors=%s", vectors_path)) vectors_path = "vectors.txt";
+    if (answers_path == vectors_path) begin
+      $display("%0s is the file of vectors and of answers, expected two; +vectors=FILE and +answers=FILE name them",
+               answers_path);
       $finish(1);
+    end else begin
+      // First of all the answers of an earlier run go: nobody takes them for those of this one.
+      answers = $fopen(answers_path, "w");
+      if (answers == 0) begin
+        $display("%0s cannot be written, expected a file for the answers; +answers=FILE names it", answers_path);
+        $finish(1);
+      end
+      vectors = $fopen(vectors_path, "r");
+      if (vectors == 0) begin
+        $display("%0s cannot be read, expected what blysk vectors writes; +vectors=FILE names it", vectors_path);
+        $finish(1);
+      end
+      {3} = 0;
+      {8} = 0;
+{14}      @(negedge {3});
+      @(negedge {3}) {8} = 1;
+      is_wrong = 0;
+      number = 0;
+      size = $fgets(line, vectors);
+      while (size > 0 && !is_wrong) begin
+        number = number + 1;
+        take;
+        size = $fgets(line, vectors);
+      end
+      if (is_wrong) begin
+        $display("%0s:%0d: expected {11} hexadecimal numbers, as blysk vectors writes them", vectors_path, number);
+        $fdisplay(answers, "line %0d of the vectors cannot be read", number);
+      end
+      $fclose(answers);
+      $finish(0);
     end
-    if (!$value$plusargs("vectors=%s", path)) path = "vectors.txt";
-    vectors = $fopen(path, "r");
-    if (vectors == 0) begin
-      $display("%0s cannot be read, expected what blysk vectors writes; +vectors=FILE names it", path);
-      $finish(1);
-    end
-    taken = $fgets(header, vectors);
-    $fwrite(answers, "%0s", header);
-    {3} = 0;
-    {8} = 0;
-{9}    @(negedge {3});
-    @(negedge {3}) {8} = 1;
-    {10}
-    while (taken == {11}) begin
-      put;
-      {10}
-    end
-    $fclose(answers);
-    $finish(0);
   end
 endmodule
 )",
@@ -172,7 +200,8 @@ endmodule
       has_strobes ? ""
                   : fmt::format("\n  always @(posedge {}) if ({}) answer;\n", clk,
                                 first_of(ports, port::role::valid).name),
-      has_strobes ? put_by_strobes(ports) : put_by_handshake(ports), reset, idle, read, data.size());
+      has_strobes ? put_by_strobes(ports) : put_by_handshake(ports), reset, fmt::join(read, ", "),
+      words(data.size()), data.size(), beyond, taken, idle);
 }
 
 }  // namespace blysk::verilog

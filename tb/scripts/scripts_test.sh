@@ -27,7 +27,9 @@ END
 # tree NAME: the scripts, and a project that makes the file `built`.
 tree() {
   mkdir -p "$1"
+  mkdir -p "$1/tb"
   cp -R "$source/scripts" "$source/CMakePresets.json" "$source/.clang-tidy" "$source/vcd" "$1"
+  cp "$source/tb/formats.def" "$1/tb"
   cat >"$1/CMakeLists.txt" <<'END'
 cmake_minimum_required(VERSION 3.25)
 project(tiny NONE)
@@ -65,6 +67,29 @@ END
     echo 'n,cos' >table.csv
     exits 2 tree/scripts/wave table.csv
     one_line 'table.csv declares no signals, expected a waveform'
+    printf '$enddefinitions $end\n' >loop.vcd
+    exits 2 tree/scripts/gtkwave-screenshot loop.vcd table.csv ./table.csv
+    one_line './table.csv is read too'
+    [ "$(cat table.csv)" = n,cos ] || fail 'a picture in place of a layout'
+    printf '$comment\r\nblysk-device --device some --format q8\r\n$end\r\n$enddefinitions $end\r\n' >crlf.vcd
+    exits 0 bash -c '. tree/scripts/lib.sh; device_of_waves crlf.vcd'
+    [ "$(cat said)" = '--device some --format q8' ] || fail "of lines that end in CR LF: $(cat said)"
+    exits 2 tree/scripts/run --format q99
+    one_line "format 'q99' does not exist, expected q8 q10 q12"
+    for name in output report compare vcd; do
+      exits 2 tree/scripts/run --size 8x8 --$name x
+      one_line "'--$name' names a result"
+    done
+    [ ! -e tree/build ] || fail 'a wrong argument configures'
+    exits 1 tree/scripts/describe-program /bin/true described
+    one_line '/bin/true --help names no verb'
+    exits 1 tree/scripts/describe-program /nonexistent described
+    one_line '/nonexistent --help names no verb'
+    [ ! -e described ] || fail 'a folder for nothing'
+    for script in stability fuzz sanitize; do
+      exits 2 tree/scripts/$script $([ $script != sanitize ] || echo asan) $([ $script != fuzz ] || echo --folder) table.csv/x
+      one_line "cannot make the folder '"
+    done
     exits 2 tree/scripts/gtkwave-screenshot $'a\e[2J\nb\xE9' b c
     one_line 'cannot read'
     [ "$(tr -d '\n' <error | tr -dc '\000-\037\177-\377' | wc -c)" = 0 ] || fail "not printable: $(cat -v error)"
@@ -130,6 +155,9 @@ END
     as_it_was
     has 'formats , engine verilator ON, tests ON' build
     as_it_was
+    exits 2 bash -c '. tree/scripts/lib.sh; build_part q99 some'
+    one_line "format 'q99' does not exist, expected q8"
+    has 'formats , engine verilator ON, tests ON' build
     ;;
   cdpath)
     tree tree

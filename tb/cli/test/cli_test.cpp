@@ -303,6 +303,15 @@ TEST_CASE("an argument that is wrong is named, and the help of its verb", "[cli]
     fails("render sphere --output - " + option + " ''", option + " is '', expected a value");
   fails("simulate --stimulus= --results -", "--stimulus has no value, expected one");
   fails("list --json=", "--json has no value, expected one");
+  fails("simulate --as-published=on",
+        "--as-published is followed by a value, expected none, see blysk simulate --help");
+  for (const char* number : {"0x10", "1_000", "10ns", "1 000"})
+    fails(simulate + "--engine timed --period '" + number + "'",
+          std::string("--period: is '") + number + "', expected a number, see blysk simulate --help");
+  for (const char* number : {"0x10", "nan", "45deg", "180"})
+    fails(std::string("render sphere --output - --fov ") + number,
+          std::string("--fov: is '") + number +
+              "', expected a number from 0.001 to 179, see blysk render --help");
   fails("export --output -", "--output is -, expected a directory: an export has several files");
   CHECK(folder.names() == std::vector<std::string>{"in.csv"});
 }

@@ -190,8 +190,8 @@ TEST_CASE("answers that cannot be read are refused, and are no difference", "[cl
        {"0x001 100 ff ff ff 0 0 0\n", ":1: n is '0x001', expected hexadecimal digits of 10 bits"},
        {"001 100 ff ff ff 1ff00 ff00 ff00\n", ":1: red is '1ff00', expected hexadecimal digits of 16 bits"},
        {"001 100 ff ff ff -1 ff00 ff00\n", ":1: red is '-1', expected hexadecimal digits of 16 bits"},
-       {"000 100 ff ff ff 0 0 0\n", ":1: n is 0, expected a code 1..3e8"},
-       {"001 101 ff ff ff 0 0 0\n", ":1: cos is 101, expected a code 0..100"},
+       {"000 100 ff ff ff 0 0 0\n", ":1: n is 000, expected 001 to 3e8"},
+       {"001 101 ff ff ff 0 0 0\n", ":1: cos is 101, expected 000 to 100"},
        {"001 100 ff ff ff 0 0 0 0\n", ":1: has '0' at its end, expected n cos r g b red green blue"}}));
   CAPTURE(text);
   const std::string answers = folder.write("answers.txt", text);

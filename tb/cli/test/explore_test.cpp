@@ -227,6 +227,17 @@ TEST_CASE("explore refuses bad use and bad files in one line", "[explore]") {
   fails("--shard 1/2", "expected ranges of word lengths");
   fails("--cos 8 --shard 3/2", "--shard is 3/2");
   fails("--cos 12..8", "--cos is 12..8");
+  for (const char* list : {"8,9", "8-9", "x"})
+    fails("--cos " + std::string(list), "expected bits such as 12 or a range such as 8..12");
+  fails("--cos 8 --output -", "--output is -, expected a directory");
+  fails("merge a b --output -", "--output is -, expected a directory");
+  fs::create_symlink("loop2", folder.path("loop1"));
+  fs::create_symlink("loop1", folder.path("loop2"));
+  for (const char* each : {"--measured ", "merge --output x "})
+    fails(each + quoted(folder.path("loop1")),
+          ": cannot be read (Too many levels of symbolic links), expected ");
+  fails(rows_in(folder) + " --html " + quoted(folder.path("rows/cost_q8.json")), "expected different files");
+  CHECK(slurp(folder.path("rows/cost_q8.json")) == row);
   fails("--cos 8 --square 20", "no combination of these word lengths fits");
   fails("--cos 8 --html x.html", "rows that are measured now have no cost");
   fails("--cos 8 --cos 9", "--cos is 8 and 9, expected one of them");

@@ -212,8 +212,29 @@ TEST_CASE("a file that is read through standard input is not written over", "[cl
   refused("\"$BLYSK\" simulate --stimulus - --results in.csv <in.csv");
   refused("\"$BLYSK\" simulate --stimulus - --results - <in.csv 1<>in.csv");
   refused("\"$BLYSK\" simulate --stimulus in.csv --results - >>in.csv");
+  refused("\"$BLYSK\" simulate --stimulus /dev/fd/0 --results in.csv <in.csv");
+  refused("\"$BLYSK\" simulate --stimulus /proc/self/fd/3 --results in.csv 3<in.csv");
+  refused("\"$BLYSK\" simulate --stimulus /proc/self/cwd/in.csv --results in.csv");
   // A terminal or a pipe is no such file.
   CHECK(shell(folder, "cat in.csv | \"$BLYSK\" simulate --stimulus - --results in.csv >/dev/null") == 0);
+}
+
+TEST_CASE("a file that a path of /proc or /dev leads to is replaced as others are", "[cli][files]") {
+  const scratch folder;
+  folder.write("bad.csv", "n,cos,r,g,b\n0,0.99,1,2,3\n");
+  for (const std::string& path :
+       {std::string("/proc/self/cwd/keep.csv"), "/dev/.." + folder.path("keep.csv")}) {
+    CAPTURE(path);
+    folder.write("keep.csv", "precious\n");
+    CHECK(shell(folder, "\"$BLYSK\" simulate --stimulus bad.csv --results " + path + " 2>error") == 2);
+    CHECK(slurp(folder.path("keep.csv")) == "precious\n");
+  }
+}
+
+TEST_CASE("a picture that cannot be written has no line", "[cli][files]") {
+  const scratch folder;
+  CHECK(shell(folder, "\"$BLYSK\" render sphere --size 8x8 --output - >/dev/full 2>error") == 2);
+  check_message(slurp(folder.path("error")), "blysk: standard output: cannot be written (No space left");
 }
 
 TEST_CASE("a folder of the name - is not standard input", "[cli][files]") {

@@ -57,10 +57,25 @@ TEST_CASE("list says of each device what a user chooses it by", "[cli]") {
       has_errors = true;
       CAPTURE(row.dump());
       const bool is_whole = row["domain"] == "whole";
-      CHECK((is_whole || row["domain"] == "epicentre"));
-      const double error = row[is_whole ? "max_abs_err" : "max_rel_err"];
-      CHECK((error >= 0 && error < 1));
-      CHECK((row["n"] >= 0 && row["n"] <= 1000));
+      CHECK((is_whole || row["domain"] == "epicentre-0.60"));
+      const std::string key = is_whole ? "max_abs_err" : "max_rel_err";
+      CHECK((row[key] >= 0 && row[key] < 1));
+      if (is_whole) CHECK((row["n"] >= 1 && row["n"] <= 1000));
+      // `explore` says the same of the format, and the table of the one it shows.
+      if (row["format"] != "q8" && row["format"] != "q16") continue;
+      const auto explored =
+          nlohmann::json::parse(run_blysk(folder, "explore --json --device " + name + " --format " +
+                                                      row["format"].get<std::string>() + " --domain " +
+                                                      row["domain"].get<std::string>())
+                                    .out);
+      const auto same = std::find_if(explored.begin(), explored.end(),
+                                     [](const auto& of) { return of["options"].empty(); });
+      REQUIRE(same != explored.end());
+      CHECK((*same)[key] == row[key]);
+    }
+    for (const auto& [alias, options] : device["aliases"].items()) {
+      CAPTURE(alias);
+      CHECK(text.find("also " + alias + ":") != std::string::npos);
     }
   }
   CHECK(has_errors);

@@ -213,7 +213,7 @@ TEST_CASE("what a scene file has wrong is said with file and line", "[cli][rende
   for (const auto& [member, option] :
        std::vector<std::pair<std::string, std::string>>{{"\"shading\": \"Phong\"", " --shading flat"},
                                                         {"\"size\": [0, 4]", " --size 8x8"},
-                                                        {"\"device\": \"x\"", " --device quadratic"},
+                                                        {"\"device\": \"x\"", " --device " + kDevice},
                                                         {"\"format\": \"q9\"", " --format q8"},
                                                         {"\"density\": 1", " --density 8"}}) {
     folder.write("s.JSON", "{\"mesh\": \"sphere\",\n" + member + "}");

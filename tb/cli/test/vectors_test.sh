@@ -35,6 +35,25 @@ case $case in
     # Answers that cannot be written are no answers of a run before.
     vvp -n bench +answers=none/answers.txt >said
     grep -q '^none/answers.txt cannot be written, expected a file for the answers' said || fail "$(cat said)"
+    # Nor are those to a file that is not what it should be; comments go through, blank lines do not count.
+    kept=$(<vectors.txt)
+    vvp -n bench +answers=vectors.txt >said
+    grep -q '^vectors.txt is the file of vectors and of answers, expected two' said || fail "$(cat said)"
+    [ "$(<vectors.txt)" = "$kept" ] || fail 'the vectors are gone'
+    last=$(tail -n 1 vectors.txt)
+    for line in 'zzz 1' "x${last:1}" "${last% *}" "$last 0" "fff${last:3}" 'junk'; do
+      { sed 3q vectors.txt && printf '%s\n' "$line" && sed 1,3d vectors.txt; } >wrong.txt
+      vvp -n bench +vectors=wrong.txt >said
+      grep -q '^wrong.txt:4: expected 5 hexadecimal numbers' said || fail "'$line': $(cat said)"
+      judged 2 q8 "after '$line'"
+    done
+    { sed 3q vectors.txt && printf '\n' && sed 1,3d vectors.txt; } >blank.txt
+    vvp -n bench +vectors=blank.txt >/dev/null
+    judged 0 q8
+    sed 1d vectors.txt >bare.txt
+    vvp -n bench +vectors=bare.txt >/dev/null
+    judged 0 q8
+    [ "$(wc -l <answers.txt)" = "$(wc -l <bare.txt)" ] || fail 'a vector without a header before it is lost'
     count=0
     # found FILES OLD NEW: OLD stands once in one of the export's files; with NEW in its place the check finds it.
     found() {
@@ -71,6 +90,10 @@ case $case in
       "$export"/*.v "$export"/*.vt >log 2>&1 || { cat log >&2 && exit 1; }
     made/bench >/dev/null
     judged 0 q12
+    { sed 3q vectors.txt && printf 'junk\n'; } >wrong.txt
+    made/bench +vectors=wrong.txt >said
+    grep -q '^wrong.txt:4: expected 5 hexadecimal numbers' said || fail "$(cat said)"
+    judged 2 q12
     ;;
   python)
     command -v python3 >/dev/null || exit 77
