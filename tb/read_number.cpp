@@ -39,10 +39,4 @@ std::optional<std::int64_t> read_integer(std::string_view text) {
   return static_cast<std::int64_t>(*real);
 }
 
-std::optional<std::int64_t> read_digits(std::string_view text) {
-  const bool is_plain = !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos &&
-                        (text.size() == 1 || text.front() != '0');
-  return is_plain ? read_integer(text) : std::nullopt;
-}
-
 }  // namespace blysk

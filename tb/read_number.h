@@ -18,7 +18,4 @@ std::optional<double> read_real(std::string_view text);
 /// An integer in any form that is one: 10, +10, 10.0, 1.000e+01. Nothing if the text is none, or too large.
 std::optional<std::int64_t> read_integer(std::string_view text);
 
-/// A whole number written in digits alone, without a zero in front: 0, 10. Nothing if the text is none, or too large.
-std::optional<std::int64_t> read_digits(std::string_view text);
-
 }  // namespace blysk

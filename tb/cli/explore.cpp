@@ -240,25 +240,49 @@ int answer(const options& asked, const std::vector<cost::configuration>& rows) {
     };
     add(found.cheapest == nullptr ? "nearest" : "cheaper", found.cheaper);
     add("better", found.better);
-    fmt::print("{}\n", json{{"cheapest", row_of(found.cheapest)}, {"neighbours", neighbours}}.dump(2));
+    json unpriced = json::array();
+    for (const cost::configuration* each : found.unpriced) unpriced.push_back(each->label());
+    fmt::print("{}\n", json{{"cheapest", row_of(found.cheapest)},
+                            {"neighbours", neighbours},
+                            {"within_tolerance_without_cost", unpriced}}
+                           .dump(2));
     return found.cheapest == nullptr ? 1 : 0;
   }
   const auto line = [&](const char* name, const cost::configuration* of) {
     if (of == nullptr) return;
-    fmt::print("{:<10} {}: {} {}, {} {} in {}{}\n           {}\n", name, of->label(), by.key,
+    const double reached = in.mhz(*of);
+    const double rate = of->results_per_us(reached);
+    fmt::print("{:<10} {}: {} {}, {} {} in {}{}{}{}\n           {}\n", name, of->label(), by.key,
                cost::number_text(by.of(of->errors_in(where))), *in.cost(*of), in.unit, in.what,
-               of->is_stale ? ", stale" : "", of->command());
+               reached > 0 ? fmt::format(", {:.4g} MHz", reached) : "",
+               rate > 0 ? fmt::format(", {:.4g} results a us", rate) : "", of->is_stale ? ", stale" : "",
+               of->command());
   };
+  const auto tell_unpriced = [&] {
+    if (found.unpriced.empty()) return;
+    fmt::print("no cost    {} within the tolerance, such as {}: scripts/synth measures it\n",
+               found.unpriced.size() == 1 ? "one more is" : fmt::format("{} more are", found.unpriced.size()),
+               found.unpriced.front()->label());
+  };
+  if (!found.has_candidate) {
+    fmt::print(
+        "cheapest   none: no configuration of these has an error in {} and a cost in {} that were measured\n",
+        std::ranges::find(cost::kDomains, where, &cost::named_domain::which)->name, in.what);
+    tell_unpriced();
+    return 1;
+  }
   if (found.cheapest == nullptr) {
-    fmt::print("cheapest   none: no measured configuration has {} <= {}{}\n", by.key, asked.tolerance,
-               mhz > 0 ? fmt::format(" at {} MHz", mhz) : "");
+    fmt::print("cheapest   none: no configuration whose cost was measured has {} <= {}{}\n", by.key,
+               asked.tolerance, mhz > 0 ? fmt::format(" at {} MHz", mhz) : "");
     line("nearest", found.cheaper);
+    tell_unpriced();
     return 1;
   }
   line("cheapest", found.cheapest);
   fmt::print("neighbours\n");
   line("cheaper", found.cheaper);
   line("better", found.better);
+  tell_unpriced();
   return 0;
 }
 
@@ -436,8 +460,7 @@ void add_options_of_devices(CLI::App& verb, const asked_options& asked) {
     const ownership owners = owners_of(key);
     if (!owners.has_value) {
       verb.add_flag_callback(
-              "--" + key, [asked, key] { asked->named[key] = "on"; }, help)
-          ->disable_flag_override();
+          "--" + key, [asked, key] { asked->named[key] = "on"; }, help);
       continue;
     }
     CLI::Option* const added = verb.add_option_function<std::vector<std::string>>(

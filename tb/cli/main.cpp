@@ -26,6 +26,14 @@ int run(int argc, char** argv) {
   sc_core::sc_report_handler::set_actions(sc_core::SC_INFO, sc_core::SC_DO_NOTHING);
   // Waves of nothing are nothing to warn of: a run that fails before its first write has its own message.
   sc_core::sc_report_handler::set_actions(sc_core::SC_ID_TRACING_CLOSE_EMPTY_FILE_, sc_core::SC_DO_NOTHING);
+  // Standard output is for results.
+  sc_core::sc_report_handler::set_handler(
+      [](const sc_core::sc_report& report, const sc_core::sc_actions& actions) {
+        if ((actions & sc_core::SC_DISPLAY) != 0)
+          blysk::say("blysk", fmt::format("{}: {}", report.get_msg_type(), report.get_msg()));
+        sc_core::sc_report_handler::default_handler(
+            report, actions & ~static_cast<sc_core::sc_actions>(sc_core::SC_DISPLAY));
+      });
   program.require_subcommand(1);
   program.set_version_flag("--version", "blysk " BLYSK_VERSION);
   program.footer("Exit status: 0 done, 1 a check failed or results differ, 2 bad use or bad input.");

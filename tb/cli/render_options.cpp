@@ -317,8 +317,8 @@ void expect_sound(const CLI::App& verb, const render_options& asked) {
                                                      {"--watch", !asked.watch.empty()}};
     for (const auto& [name, is_given] : of_pictures) {
       if (is_given)
-        throw usage_error(
-            fmt::format("{} is of a picture, expected --output, --report or --compare with it", name));
+        throw usage_error(fmt::format("{} is of a picture, expected {} with it", name,
+                                      asked.frames > 0 ? "--output" : "--output, --report or --compare"));
     }
   }
   if (!asked.vcd.empty() && asked.watch.empty() && asked.engine != "systemc") {

@@ -79,11 +79,10 @@ void check(const options& asked) {
   }
   if (asked.vcd_deltas && asked.vcd.empty())
     throw usage_error("--vcd-deltas is about the waves of --vcd, expected that too");
-  if (asked.vcd_deltas && asked.engine != "systemc" && !asked.is_timed()) {
+  if (asked.vcd_deltas && asked.engine != "systemc") {
     throw usage_error(
-        fmt::format("--vcd-deltas shows SystemC's delta cycles and engine {} has none, expected engine "
-                    "systemc or {}",
-                    asked.engine, kTimedEngine));
+        fmt::format("--vcd-deltas shows SystemC's delta cycles and engine {} {}, expected engine systemc",
+                    asked.engine, asked.is_timed() ? "has delays in their place" : "has none"));
   }
   const auto expect_timed = [&](const char* name, bool is_given) {
     if (is_given && !asked.is_timed()) {

@@ -371,6 +371,18 @@ errors errors_of(const nlohmann::ordered_json& of) {
   e.max_step = static_cast<int>(count_of(of, "max_step"));
   if (e.points == 0 || std::accumulate(e.ulps.begin(), e.ulps.end(), std::uint64_t{0}) != e.points)
     throw std::domain_error("ulps do not add up to points");
+  const auto expect = [](bool holds, const char* what) {
+    if (!holds) throw std::domain_error(what);
+  };
+  constexpr double kStored = 1 + 1e-5;  // six digits
+  expect(e.max_abs_n >= 1 && e.max_abs_n <= 1000, "max_abs_n is not in 1..1000");
+  expect(e.max_abs_cos >= 0 && e.max_abs_cos <= 1, "max_abs_cos is not in [0, 1]");
+  expect(e.error_probability <= 1, "error_probability is above 1");
+  expect(std::abs(e.bias) <= e.mean_abs_err * kStored, "bias is larger than mean_abs_err");
+  expect(e.mean_abs_err <= e.rms_err * kStored, "mean_abs_err is larger than rms_err");
+  expect(e.rms_err <= e.max_abs_err * kStored, "rms_err is larger than max_abs_err");
+  expect(e.mean_rel_err <= e.max_rel_err * kStored, "mean_rel_err is larger than max_rel_err");
+  expect(e.relative_points <= e.points, "relative_points are more than points");
   return e;
 }
 

@@ -323,6 +323,11 @@ choice choose_cheapest(const std::vector<configuration>& all, double tolerance, 
   const auto by_cost = [](const candidate& c) { return std::pair(c.cost, c.error); };
   const auto by_error = [](const candidate& c) { return std::pair(c.error, c.cost); };
   choice found;
+  found.has_candidate = !among.empty();
+  for (const configuration& each : all) {
+    if (!in.cost(each) && each.has_errors_in(where) && by.of(each.errors_in(where)) <= tolerance)
+      found.unpriced.push_back(&each);
+  }
   found.cheapest = least(
       among, [&](const candidate& c) { return c.error <= tolerance; }, by_cost);
   if (found.cheapest == nullptr) {  // the nearest to the tolerance

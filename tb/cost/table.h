@@ -56,7 +56,9 @@ struct choice {
   const configuration* cheapest = nullptr;
   const configuration* cheaper =
       nullptr;  ///< costs less: of those the one with the least error, beyond the tolerance
-  const configuration* better = nullptr;  ///< has less error: of those the one that costs least
+  const configuration* better = nullptr;            ///< has less error: of those the one that costs least
+  std::vector<const configuration*> unpriced = {};  ///< within the tolerance, but their cost was not measured
+  bool has_candidate = false;                       ///< some has both an error and a cost
 };
 
 /// \param mhz  a clock that all of them have to reach, 0 for any

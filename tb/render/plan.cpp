@@ -101,15 +101,20 @@ std::vector<light_set> plan::specular_lights() const {
   return all;
 }
 
-bool needs_device(const scene::world& of, effects asked) {
-  if (asked == effects::all) return !of.lights.empty();
+std::set<int> written_exponents(const scene::world& of, effects asked) {
   const std::vector<bool> used = used_materials(of.surface);
+  std::set<int> exponents;
   for (std::size_t i = 0; i < used.size(); ++i) {
     for (const scene::light& each : of.lights) {
-      if (used[i] && plan_light(of.surface.materials[i], each, false).has_specular) return true;
+      const light_plan made = plan_light(of.surface.materials[i], each, asked == effects::all);
+      if (used[i] && made.has_specular) exponents.insert(made.n);
     }
   }
-  return false;
+  return exponents;
+}
+
+bool needs_device(const scene::world& of, effects asked) {
+  return !written_exponents(of, asked).empty();
 }
 
 plan make_plan(const scene::world& of, effects asked, lobe_table* table, int cos_fraction,

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -58,10 +59,13 @@ struct plan {
   std::vector<light_set> specular_lights() const;
 };
 
+/// Exponents of the materials that a device makes highlights of.
+std::set<int> written_exponents(const scene::world& of, effects asked);
+
 /// Whether a device is needed at all: before one is made.
 bool needs_device(const scene::world& of, effects asked);
 
-/// \param table   null if needs_device() says that none is needed
+/// \param table   null: every code of cos may add something
 /// \param device  what it is called among the units
 /// \param by      what the specular terms are multiplied by
 plan make_plan(const scene::world& of, effects asked, lobe_table* table, int cos_fraction,

@@ -50,7 +50,8 @@ class footprint {
                scene::cross(corners[0], corners[1])},
         depths_{corners[0].z, corners[1].z, corners[2].z},
         volume_(golden::dot(corners[0], edges_[0])),
-        front_(volume_ < 0) {
+        front_(volume_ < 0),
+        is_before_eye_(corners[0].z > 0 && corners[1].z > 0 && corners[2].z > 0) {
     if (!front_) return;
     for (vec& each : edges_) each = -1.0 * each;  // exact: neighbours have the same edges with the other sign
     volume_ = -volume_;
@@ -77,12 +78,12 @@ class footprint {
   double nearness(const weights& sides) const { return (sides[0] + sides[1] + sides[2]) / volume_; }
 
   /// Shares of the corners in the point that is seen, their sum 1. Without perspective correction: in the point of the
-  /// picture.
+  /// picture, unless a corner lies beside or behind the eye, where it has no place on the picture.
   weights shares(double x, double y, bool corrected) const {
     weights sides{};
     for (std::size_t i = 0; i < 3; ++i) {
       sides[i] = edges_[i].x * x + edges_[i].y * y + edges_[i].z;
-      if (!corrected) sides[i] *= depths_[i];
+      if (!corrected && is_before_eye_) sides[i] *= depths_[i];
     }
     const double sum = sides[0] + sides[1] + sides[2];
     return {sides[0] / sum, sides[1] / sum, sides[2] / sum};
@@ -93,6 +94,7 @@ class footprint {
   weights depths_{};
   double volume_ = 0;
   bool front_ = false;
+  bool is_before_eye_ = true;
 };
 
 }  // namespace blysk::render

@@ -9,6 +9,8 @@
 #include <chrono>
 #include <cmath>
 #include <mutex>
+#include <set>
+#include <span>
 #include <stdexcept>
 
 #include "tb/parallel.h"
@@ -130,12 +132,18 @@ class frame {
     for_each_in_parallel(shaders.size(), threads, [&](std::size_t i, unsigned) { shaders[i].flush(); });
   }
 
-  /// What a shader has cost: the threads run side by side.
-  void add_costs(const shader& of, unsigned threads) {
-    made_.device_writes += of.writes();
-    made_.unit_rows += of.unit_rows();
-    made_.host_s["device"] += of.device_s() / threads;
-    if (job_.units != nullptr) made_.host_s["units"] += of.units_s();
+  /// What shaders have cost. They ran side by side: the time is that of the longest.
+  void add_costs(std::span<const shader> all) {
+    double device_s = 0;
+    double units_s = 0;
+    for (const shader& each : all) {
+      made_.device_writes += each.writes();
+      made_.unit_rows += each.unit_rows();
+      device_s = std::max(device_s, each.device_s());
+      units_s = std::max(units_s, each.units_s());
+    }
+    made_.host_s["device"] += device_s;
+    if (job_.units != nullptr) made_.host_s["units"] += units_s;
   }
 
   /// The time of shading without that of the engines.
@@ -169,7 +177,7 @@ class frame {
             job_.progress(done, points_->size());
           });
       flush(shaders, threads);
-      for (const shader& each : shaders) add_costs(each, threads);
+      add_costs(shaders);
     }
     split_times(shading_s);
   }
@@ -202,7 +210,7 @@ class frame {
         std::ranges::find(kInnerColours, job_.by_segments->inner, &named_inner_colours::are)->are_of_blocks;
     made_.by_segments =
         (by_blocks ? fill_by_blocks : fill_by_segments)(made_.image, *job_.by_segments, trace);
-    for (const shader& each : shaders) add_costs(each, threads);
+    add_costs(shaders);
     split_times(made_.host_s["shading"]);
     // The picture is judged pixel by pixel.
     timed("reference",
@@ -245,12 +253,12 @@ class frame {
     for (const std::uint32_t each : order) add(through, each, near);
     through.flush();
     made_.watched_writes = through.writes();
-    add_costs(through, 1);
+    add_costs({&through, 1});
     if (job_.watch->done) job_.watch->done();
     return is_watched;
   }
 
-  /// Around the pixel with the largest N.H of a light with a highlight.
+  /// Around the pixel with the brightest highlight by Blinn's formula.
   rectangle row_through_highlight() const {
     point_source::cursor near;
     double best = 0;
@@ -262,11 +270,12 @@ class frame {
       points_->at(of.point[0], near, at);
       const vec view = golden::normalised(view_.eye() - at.position);
       for (std::size_t k = 0; k < lights_.size(); ++k) {
-        const double nh = made_.planned.at(at.material, k).has_specular
-                              ? half_cosine(at, view, incidence_of(at, view, lights_[k]))
-                              : 0;
-        if (nh > best) {
-          best = nh;
+        const light_plan& light = made_.planned.at(at.material, k);
+        if (!light.has_specular) continue;
+        const double nh = half_cosine(at, view, incidence_of(at, view, lights_[k]));
+        const double brightness = std::ranges::max(light.specular) * std::pow(nh, light.n);
+        if (brightness > best) {
+          best = brightness;
           place = i;
         }
       }
@@ -372,8 +381,7 @@ class frame {
       made_.triangles_left_out += !dark_.empty() && dark_[i] != 0 ? 1U : 0U;
     }
     if (job_.by_segments) return;
-    made_.points = made_.pixels;
-    if (points_->size() != seen_.pixels()) made_.points = points_->size();
+    made_.points = job_.shading->is_by_pixel ? made_.pixels : points_->size();
   }
 
   const job& job_;
@@ -417,6 +425,10 @@ plan plan_of(const job& asked) {
                     "with options that limit it to 255",
                     device.text()));
   }
+  // To try a code takes about a fiftieth of a write through SystemC.
+  constexpr std::int64_t kCodesOfPixel = 16;
+  constexpr std::int64_t kFewCodes = std::int64_t{1} << 20;
+  const std::set<int> exponents = written_exponents(*asked.of, asked.asked);
   std::unique_ptr<engine> law;
   std::optional<lobe_table> table;
   lobe_table* lobes = asked.lobes;
@@ -424,7 +436,10 @@ plan plan_of(const job& asked) {
     law = asked.device->make_law();
     lobes = &table.emplace(device, *law);
   }
-  plan made = make_plan(*asked.of, asked.asked, lobes, ports.cos_fraction(), device.top_name(), asked.energy);
+  const std::int64_t codes = (ports.one() + 1) * static_cast<std::int64_t>(exponents.size());
+  const bool knows_lobes = codes <= std::max(kFewCodes, kCodesOfPixel * asked.width * asked.height);
+  plan made = make_plan(*asked.of, asked.asked, knows_lobes ? lobes : nullptr, ports.cos_fraction(),
+                        device.top_name(), asked.energy);
   if (asked.units != nullptr) {
     made.reasons.push_back(fmt::format("ambient, diffuse, the sum and saturation run in {}, engine {}",
                                        asked.units->device.top_name(), asked.units->name));
@@ -435,6 +450,13 @@ plan plan_of(const job& asked) {
     }
   }
   if (!made.has_specular() || asked.asked == effects::all) return made;
+  if (!knows_lobes) {
+    made.reasons.push_back(fmt::format(
+        "where lobes begin is not looked for: {} codes of cos to try are more than it could spare; "
+        "inner specular check off",
+        codes));
+    return made;
+  }
   made.checks_triangles = asked.checks_triangles && asked.shading->is_by_pixel && !asked.by_segments;
   const std::string_view why =
       made.checks_triangles    ? "on: no pixel of a triangle is tested whose cones of normals, lights and "

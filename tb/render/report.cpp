@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numeric>
@@ -129,17 +130,20 @@ std::string report_json(const job& asked, const outcome& of, const circumstances
 picture comparison(const outcome& of, const circumstances& in) {
   constexpr int kGain = 4;
   const distance off = distance_of(of.reference, of.image);
-  const int width = of.image.width;
-  picture sheet(3 * width, of.image.height + kTextHeight);
-  paste(of.reference, sheet, 0, kTextHeight);
-  paste(of.image, sheet, width, kTextHeight);
-  paste(difference(of.reference, of.image, kGain), sheet, 2 * width, kTextHeight);
-  write_text(sheet, 4, 2, "Blinn, double");
-  write_text(sheet, width + 4, 2,
-             fmt::format("{} {}, {}", in.device.of().name(), in.device.format(), in.engine));
-  write_text(
-      sheet, 2 * width + 4, 2,
-      fmt::format("{} x difference, NMSE {}", kGain, off.nmse ? fmt::format("{:.1e}", *off.nmse) : "-"));
+  const std::array<std::string, 3> titles{
+      "Blinn, double", fmt::format("{} {}, {}", in.device.of().name(), in.device.format(), in.engine),
+      fmt::format("{} x difference, NMSE {}", kGain, off.nmse ? fmt::format("{:.1e}", *off.nmse) : "-")};
+  const std::array<picture, 3> shown{of.reference, of.image, difference(of.reference, of.image, kGain)};
+  // A small picture's column is as wide as its title.
+  constexpr int kMargin = 4;
+  int column = of.image.width;
+  for (const std::string& each : titles) column = std::max(column, text_width(each) + 2 * kMargin);
+  picture sheet(3 * column, of.image.height + kTextHeight);
+  for (std::size_t i = 0; i < titles.size(); ++i) {
+    const int left = static_cast<int>(i) * column;
+    paste(shown[i], sheet, left, kTextHeight);
+    write_text(sheet, left + kMargin, 2, titles[i]);
+  }
   return sheet;
 }
 

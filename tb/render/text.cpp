@@ -27,6 +27,7 @@ constexpr std::array kGlyphs{std::to_array<glyph>({
 // clang-format on
 
 constexpr int kScale = 2;
+constexpr int kAdvance = 4 * kScale;
 
 void write_glyph(picture& on, int x, int y, std::uint16_t rows) {
   for (int row = 0; row < 5 * kScale; ++row) {
@@ -46,8 +47,12 @@ void write_text(picture& on, int x, int y, std::string_view text) {
     const char capital = static_cast<char>(std::toupper(static_cast<unsigned char>(each)));
     const auto found = std::ranges::find(kGlyphs, capital, &glyph::character);
     if (found != kGlyphs.end()) write_glyph(on, x, y, found->rows);
-    x += 4 * kScale;
+    x += kAdvance;
   }
+}
+
+int text_width(std::string_view text) {
+  return kAdvance * static_cast<int>(text.size());
 }
 
 }  // namespace blysk::render

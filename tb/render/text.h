@@ -13,4 +13,7 @@ inline constexpr int kTextHeight = 14;  ///< pixels of a line, its lead included
 /// cut off; characters that it does not know are blanks.
 void write_text(picture& on, int x, int y, std::string_view text);
 
+/// Pixels that a line takes.
+int text_width(std::string_view text);
+
 }  // namespace blysk::render

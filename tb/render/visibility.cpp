@@ -11,16 +11,14 @@ namespace {
 
 constexpr int kBandRows = 16;
 
-/// The part of an edge in front of the eye ends where w is this share of its other end.
-constexpr double kNearest = 1e-6;
-
 std::array<vec, 3> corners_of(const scene::mesh& surface, const projection& view, std::uint32_t triangle) {
   const auto& at = surface.triangles[triangle].position;
   return {view.of(surface.positions[at[0]]), view.of(surface.positions[at[1]]),
           view.of(surface.positions[at[2]])};
 }
 
-/// The box around what lies in front of the eye.
+/// The box around what lies in front of the eye. Where an edge comes beside the eye, at w = 0, it has left the picture: which
+/// side it leaves to is x, both sides where x is but a rounding.
 box box_of(const std::array<vec, 3>& corners, int width, int height) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   double low_x = kInfinity;
@@ -33,15 +31,19 @@ box box_of(const std::array<vec, 3>& corners, int width, int height) {
     low_y = std::min(low_y, at.y / at.z);
     high_y = std::max(high_y, at.y / at.z);
   };
+  const auto leave = [&](double at, double size, double& low, double& high) {
+    constexpr double kRounding = 1e-9;
+    if (at <= kRounding * size) low = -kInfinity;
+    if (at >= -kRounding * size) high = kInfinity;
+  };
   for (std::size_t i = 0; i < 3; ++i) {
     const vec& a = corners[i];
     const vec& b = corners[(i + 1) % 3];
     if (a.z > 0) include(a);
     if ((a.z > 0) == (b.z > 0)) continue;
-    // A corner behind the eye: the edge leaves the picture on the way there.
-    const double w = kNearest * std::max(a.z, b.z);
-    const double share = (w - a.z) / (b.z - a.z);
-    include(a + share * (b - a));
+    const vec beside = a + (-a.z / (b.z - a.z)) * (b - a);
+    leave(beside.x, std::max(std::abs(a.x), std::abs(b.x)), low_x, high_x);
+    leave(beside.y, std::max(std::abs(a.y), std::abs(b.y)), low_y, high_y);
   }
   const auto pixel = [](double at, int size) { return static_cast<int>(std::clamp(at, -1.0, size + 1.0)); };
   return {std::max(0, pixel(std::floor(low_x), width)), std::min(width - 1, pixel(std::ceil(high_x), width)),
@@ -96,10 +98,34 @@ visibility find_visible(const scene::mesh& surface, const projection& view, int 
 
 namespace {
 
-constexpr int kTile = 8;  // pixels of a side
+bool is_empty(const box& of) {
+  return of.first_y > of.last_y || of.first_x > of.last_x;
+}
 
-std::size_t tile_of(int pixel) {
-  return static_cast<std::size_t>(pixel / kTile);
+/// Pixels of a tile's side: the lists of all tiles together are no longer than a few times the triangles, or the picture.
+int side_of_tiles(const std::vector<box>& boxes, int width, int height) {
+  constexpr std::size_t kMostOfEach = 8;
+  const int whole = std::max(width, height);
+  const std::size_t most = std::max(kMostOfEach * boxes.size(),
+                                    static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  for (int side = 8; side < whole; side *= 2) {
+    std::size_t entries = 0;
+    for (const box& each : boxes) {
+      if (is_empty(each)) continue;
+      entries += static_cast<std::size_t>(each.last_x / side - each.first_x / side + 1) *
+                 static_cast<std::size_t>(each.last_y / side - each.first_y / side + 1);
+    }
+    if (entries <= most) return side;
+  }
+  return whole;
+}
+
+std::vector<box> boxes_of(const scene::mesh& surface, const projection& view, int width, int height) {
+  std::vector<box> boxes;
+  boxes.reserve(surface.triangles.size());
+  for (std::uint32_t i = 0; i < surface.triangles.size(); ++i)
+    boxes.push_back(box_of(corners_of(surface, view, i), width, height));
+  return boxes;
 }
 
 }  // namespace
@@ -107,11 +133,13 @@ std::size_t tile_of(int pixel) {
 ray_caster::ray_caster(const scene::mesh& surface, const projection& view, int width, int height)
     : surface_(surface),
       view_(view),
+      boxes_(boxes_of(surface, view, width, height)),
+      side_(side_of_tiles(boxes_, width, height)),
       tiles_across_(tile_of(width - 1) + 1),
       of_tile_(tiles_across_ * (tile_of(height - 1) + 1)) {
-  for (std::uint32_t i = 0; i < surface.triangles.size(); ++i) {
-    const box& around = boxes_.emplace_back(box_of(corners_of(surface, view, i), width, height));
-    if (around.first_y > around.last_y || around.first_x > around.last_x) continue;
+  for (std::uint32_t i = 0; i < boxes_.size(); ++i) {
+    const box& around = boxes_[i];
+    if (is_empty(around)) continue;
     for (std::size_t y = tile_of(around.first_y); y <= tile_of(around.last_y); ++y) {
       for (std::size_t x = tile_of(around.first_x); x <= tile_of(around.last_x); ++x)
         of_tile_[y * tiles_across_ + x].push_back(i);

@@ -41,10 +41,13 @@ class ray_caster {
   std::uint32_t triangle_at(int x, int y) const;
 
  private:
+  std::size_t tile_of(int pixel) const { return static_cast<std::size_t>(pixel / side_); }
+
   const scene::mesh& surface_;
   const projection& view_;
-  std::size_t tiles_across_;
   std::vector<box> boxes_;
+  int side_;  // of a tile, in pixels
+  std::size_t tiles_across_;
   std::vector<std::vector<std::uint32_t>> of_tile_;  // triangles, in their order, whose boxes meet it
 };
 

@@ -22,9 +22,9 @@
 #include <exception>
 #include <filesystem>
 
+#include "tb/scene/file_checks.h"
 #include "tb/scene/material.h"
 #include "tb/scene/mesh_builder.h"
-#include "tb/scene/ply_length.h"
 #include "tb/scene/read_scene.h"
 #include "tb/scene/text_lines.h"
 #include "tb/usage_error.h"
@@ -195,6 +195,8 @@ vec checked(const aiVector3D& from) {
 struct undrawn {
   std::size_t coloured = 0;  ///< vertices with a colour of their own
   std::size_t narrow = 0;    ///< points and lines: faces of fewer than three corners
+  std::size_t morphed = 0;   ///< meshes with other shapes to blend in
+  std::size_t boned = 0;     ///< meshes that bones would move
 };
 
 void append(const aiMesh& from, std::size_t materials, mesh_builder& to, undrawn& left) {
@@ -202,6 +204,8 @@ void append(const aiMesh& from, std::size_t materials, mesh_builder& to, undrawn
   const auto first_normal = static_cast<std::uint32_t>(to.normals.size());
   const bool has_normals = from.HasNormals();
   if (from.HasVertexColors(0)) left.coloured += from.mNumVertices;
+  if (from.mNumAnimMeshes > 0) ++left.morphed;
+  if (from.HasBones()) ++left.boned;
   for (unsigned i = 0; i < from.mNumVertices; ++i) {
     to.positions.push_back(checked(from.mVertices[i]));
     if (!has_normals) continue;
@@ -294,6 +298,9 @@ library_mesh import(const std::string& path, std::vector<std::string>& messages)
   if (left.coloured > 0) messages.push_back(fmt::format("colours of {} vertices dropped", left.coloured));
   if (left.narrow > 0)
     messages.push_back(fmt::format("{} faces of fewer than three corners dropped", left.narrow));
+  if (left.morphed > 0) messages.push_back(fmt::format("other shapes of {} meshes dropped", left.morphed));
+  if (left.boned > 0) messages.push_back(fmt::format("bones of {} meshes dropped", left.boned));
+  if (read->HasAnimations()) messages.push_back(fmt::format("{} animations dropped", read->mNumAnimations));
   if (read->HasLights()) messages.push_back(fmt::format("{} lights of the file dropped", read->mNumLights));
   if (read->HasCameras())
     messages.push_back(fmt::format("{} cameras of the file dropped", read->mNumCameras));
@@ -385,10 +392,8 @@ library_mesh read_by_library(const std::string& path, std::vector<std::string>& 
   std::error_code unknown;
   if (!std::filesystem::is_regular_file(path, unknown))
     throw file_error(path, 0, "is no regular file, expected a mesh");
-  if (ending_of(path) == ".ply") {
-    if (const std::string missing = missing_of_ply(read_file(path)); !missing.empty())
-      throw file_error(path, 0, missing);
-  }
+  if (const std::string ending = ending_of(path); is_checked(ending))
+    check_file(path, ending, read_file(path));
   std::array<int, 2> ends{};
   if (pipe(ends.data()) != 0) throw file_error(path, 0, "cannot be read (" + system_reason() + ")");
   const pid_t child = fork();

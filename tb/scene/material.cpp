@@ -72,7 +72,12 @@ material make_legal(const raw_material& raw, std::vector<std::string>& messages)
   if (model == 2 && ks != none) {
     legal.ks = ks;
     legal.n = legal_exponent(raw.n, notes);
+  } else if (raw.n) {
+    // Of a highlight that a scene file may give.
+    std::vector<std::string> unsaid;
+    legal.n = legal_exponent(raw.n, unsaid);
   }
+  if (!raw.kd && !raw.ka && !raw.ks && !raw.ke) notes.emplace_back("no colour given, black");
   if (!notes.empty())
     messages.push_back(fmt::format("material '{}': {}", printable(raw.name), fmt::join(notes, "; ")));
   return legal;

@@ -70,6 +70,7 @@ bool is_neutral(std::string_view keyword, std::string_view value) {
 template <class Value>
 void take_value(mtl_line& of, std::string_view keyword, const Value& value, Value& to,
                 std::vector<std::string>& notes) {
+  if (!value) return;  // dropped, and said
   if (to) notes.push_back(fmt::format("{} given again, the last one taken", keyword));
   if (!of.rest().empty()) notes.push_back(fmt::format("'{}' behind {} dropped", shown(of.rest()), keyword));
   to = value;

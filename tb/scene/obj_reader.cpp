@@ -57,6 +57,7 @@ class obj_reader {
       if (!value.empty()) ++dropped_["numbers behind a vertex's three (weights, colours)"];
     } else if (keyword == "vn") {
       built_.normals.push_back(read_vector("normal", value));
+      if (!value.empty()) ++dropped_["numbers behind a normal's three"];
     } else if (keyword == "f") {
       read_face(value);
     } else if (keyword == "usemtl") {

@@ -232,6 +232,8 @@ read_world read_scene_file(const std::string& path, const std::string& text, int
   }
   read_world read = read_scene(name, density);
   world& made = read.of;
+  for (std::string& each : made.messages)
+    each = fmt::format("{}: {}", printable(std::filesystem::path(name).filename().string()), each);
   for (const auto& [key, value] : members) {
     if (key == "materials") {
       std::vector<std::string> names{"*"};

@@ -62,7 +62,7 @@ pipeline_cuts pipelined::cuts(const selection& asked) const {
   if (!stages.empty() && !list.empty())
     throw std::invalid_argument("--stages and --cuts exclude each other, expected one of them");
   if (list.empty()) {
-    const auto number = stages.empty() ? fewest_stages() : read_digits(stages);
+    const auto number = stages.empty() ? fewest_stages() : read_integer(stages);
     if (!number || *number < 1 || *number > static_cast<std::int64_t>(count))
       throw std::invalid_argument(
           fmt::format("--stages is {}, expected 1 to {} with device {}", stages, count, name()));
@@ -72,7 +72,7 @@ pipeline_cuts pipelined::cuts(const selection& asked) const {
   int last = 0;
   std::istringstream words(list);
   for (std::string word; std::getline(words, word, ',');) {
-    const auto cut = read_digits(word);
+    const auto cut = read_integer(word);
     if (!cut || *cut <= last || *cut >= static_cast<std::int64_t>(count))
       throw std::invalid_argument(fmt::format(
           "--cuts is {}, expected rising numbers from 1 to {} with commas between", list, count - 1));

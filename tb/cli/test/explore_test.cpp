@@ -88,8 +88,23 @@ TEST_CASE("explore finds what is cheapest within a tolerance", "[explore]") {
         1);  // q8 has a seed with 40
   const outcome none = run_blysk(folder, from + " --tolerance 0.01");
   CHECK(none.status == 1);
-  CHECK_THAT(none.out, ContainsSubstring("none: no measured configuration has max_abs_err <= 0.01") &&
-                           ContainsSubstring("nearest"));
+  CHECK_THAT(none.out,
+             ContainsSubstring("none: no configuration whose cost was measured has max_abs_err <= 0.01") &&
+                 ContainsSubstring("nearest"));
+  // What would do, but has no cost, is not passed over.
+  write_row(folder, "q14", 1, 1, 0.001);
+  fs::remove(folder.path("rows/cost_q14.json"));
+  const outcome unpriced = run_blysk(folder, from + " --tolerance 0.01");
+  CHECK(unpriced.status == 1);
+  CHECK_THAT(unpriced.out,
+             ContainsSubstring("no cost    one more is within the tolerance, such as " + kDevice + " q14"));
+  const outcome bare = run_blysk(folder, from + " --tolerance 0.01 --format q14");
+  CHECK(bare.status == 1);
+  CHECK_THAT(bare.out,
+             ContainsSubstring("none: no configuration of these has an error in lobe and a cost in "));
+  CHECK(json::parse(
+            run_blysk(folder, from + " --tolerance 0.01 --json").out)["within_tolerance_without_cost"] ==
+        json{kDevice + " q14"});
 }
 
 TEST_CASE("explore prints tables, CSV and a page", "[explore]") {
@@ -236,6 +251,28 @@ TEST_CASE("explore refuses bad use and bad files in one line", "[explore]") {
   for (const char* each : {"--measured ", "merge --output x "})
     fails(each + quoted(folder.path("loop1")),
           ": cannot be read (Too many levels of symbolic links), expected ");
+  folder.write("rows/cost_copy.json", row);
+  fails(rows_in(folder), "cost_copy.json: is a row of another name, expected cost_q8.json");
+  fs::remove(folder.path("rows/cost_copy.json"));
+  std::string misspelt = row;
+  misspelt.replace(misspelt.find("\"ice40\""), 7, "\"ice4\"");
+  folder.write("rows/cost_q8.json", misspelt);
+  fails(rows_in(folder), "cost_q8.json: is damaged: 'ice4' is no part of it");
+  folder.write("rows/cost_q8.json", row);
+  const std::string errors = slurp(folder.path("rows/errors_q8.json"));
+  for (const auto& [key, value] : std::vector<std::pair<std::string, std::string>>{{"max_abs_n", "99999"},
+                                                                                   {"max_abs_cos", "1.5"},
+                                                                                   {"error_probability", "5"},
+                                                                                   {"bias", "-7"},
+                                                                                   {"max_abs_err", "1e-9"},
+                                                                                   {"mean_rel_err", "1e9"}}) {
+    std::string changed = errors;
+    const std::size_t at = changed.find("\"" + key + "\": ") + key.size() + 4;
+    changed.replace(at, changed.find_first_of(",\n", at) - at, value);
+    folder.write("rows/errors_q8.json", changed);
+    fails(rows_in(folder), "errors_q8.json: is damaged: ");
+  }
+  folder.write("rows/errors_q8.json", errors);
   fails(rows_in(folder) + " --html " + quoted(folder.path("rows/cost_q8.json")), "expected different files");
   CHECK(slurp(folder.path("rows/cost_q8.json")) == row);
   fails("--cos 8 --square 20", "no combination of these word lengths fits");

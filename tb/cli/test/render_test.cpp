@@ -268,7 +268,7 @@ TEST_CASE("a PLY file that ends early is refused, and one without a material is 
   for (std::size_t end = rows.size() - 3; end > 0; --end) {
     if (rows[end] != ' ' && rows[end] != '\n') continue;
     folder.write("cut.ply", "ply\nformat ascii 1.0\n" + head + rows.substr(0, end) + "\n");
-    refuses(folder, in(folder, "cut.ply"), "cut.ply: has ");
+    refuses(folder, in(folder, "cut.ply"), "cut.ply:");
   }
   const std::string binary(
       "\0\0\x80\xBF\0\0\x80\xBF\0\0\0\0\0\0\x80\x3F\0\0\x80\xBF\0\0\0\0\0\0\0\0\0\0\x80\x3F\0\0\0\0"
@@ -358,6 +358,135 @@ TEST_CASE("waves of pixels without a write are said to be empty", "[cli][render]
   CAPTURE(away.err);
   CHECK(away.status == 0);
   CHECK_THAT(away.err, ContainsSubstring("--units-vcd: no pixel sees the mesh, so the units have no row"));
+}
+
+TEST_CASE("a plane that reaches behind the eye fills its half of the picture", "[cli][render]") {
+  const scratch folder;
+  folder.write("am.mtl", "newmtl a\nillum 1\nKa 1 1 1\nKd 1 1 1\n");
+  for (const double size : {1e1, 1e6, 1e7, 1e8, 1e12}) {
+    CAPTURE(size);
+    folder.write("g.obj",
+                 fmt::format("mtllib am.mtl\nv -{0} -1 -{0}\nv {0} -1 -{0}\nv {0} -1 {0}\nv -{0} -1 {0}\n"
+                             "usemtl a\nf 1 2 3 4\n",
+                             size));
+    // The plane lies a unit below the eye: at its end, in so many pixels below the middle, it begins.
+    for (const int fov : {30, 90}) {
+      const double rows = 32 / std::tan(fov * M_PI / 360) / size;
+      const std::string arguments = fmt::format(" --eye 0,0,0 --target 0,0,-1 --size 64x64 --fov {}", fov);
+      for (const char* renderer : {"", " --renderer segments --segment 1"}) {
+        const json report = rendered(folder, in(folder, "g.obj") + arguments + renderer);
+        CHECK(report["pixels"] == 64 * (32 - std::lround(rows)));
+      }
+      // Where a corner has no place on the picture the colour is that of the surface: the ambient light at least.
+      rendered(folder, in(folder, "g.obj") + arguments + " --perspective screen --shading polynomial");
+      const std::string screen = slurp(folder.path("p.png"));
+      rendered(folder, in(folder, "g.obj") + arguments + " --shading polynomial");
+      CHECK(slurp(folder.path("p.png")) == screen);
+    }
+  }
+}
+
+TEST_CASE("what a scene file gives to a material keeps its exponent", "[cli][render]") {
+  const scratch folder;
+  folder.write("n.mtl", "newmtl a\nillum 1\nKd .2 .2 .2\nKs 1 1 1\nNs 200\n");
+  folder.write("n.obj", "mtllib n.mtl\n" + kTriangle + "usemtl a\nf 1 2 3\n");
+  folder.write("n.json", R"({"mesh": "n.obj", "materials": {"*": {"ks": [1, 1, 1]}}})");
+  const json report = rendered(folder, in(folder, "n.json") + " --size 8x8");
+  CHECK_THAT(report["plan"].dump(), ContainsSubstring("specular on, n = 200"));
+  CHECK(report["messages"][0].get<std::string>().starts_with("n.obj: "));
+}
+
+TEST_CASE("the watched row is that of the brightest highlight, not of the largest cosine", "[cli][render]") {
+  const scratch folder;
+  folder.write("w.mtl", "newmtl sharp\nKs 1\nNs 1000\nnewmtl wide\nKs 1\nNs 2\n");
+  folder.write(
+      "w.obj",
+      "mtllib w.mtl\nv -1 0 0\nv 1 0 0\nv 1 1 0\nv -1 1 0\nv -1 -1 0\nv 1 -1 0\n"
+      "vn 0.3 0 1\nvn 0.5 0 1\nusemtl sharp\nf 1//1 2//1 3//1 4//1\nusemtl wide\nf 5//2 6//2 2//2 1//2\n");
+  const json report = rendered(folder, in(folder, "w.obj") +
+                                           " --eye 0,0,5 --target 0,0,0 --light 0,0,1 --size 32x32 --watch "
+                                           "highlight --vcd " +
+                                           in(folder, "w.vcd"));
+  CHECK(report["watched_writes"] > 5);
+}
+
+TEST_CASE("lobes are looked for where that can spare more than it takes", "[cli][render]") {
+  const scratch folder;
+  const json narrow = rendered(folder, "spheres --format q8 --size 32x32");
+  CHECK_THAT(narrow["plan"].dump(), !ContainsSubstring("is not looked for"));
+  CHECK(narrow["device_writes"] == narrow["pixels_in_highlight"]);
+  const json wide = rendered(folder, "spheres --format q24 --size 32x32");
+  const std::string picture = slurp(folder.path("p.png"));
+  CHECK_THAT(wide["plan"].dump(), ContainsSubstring("where lobes begin is not looked for"));
+  CHECK(wide["device_writes"] > wide["pixels_in_highlight"]);
+  rendered(folder, "spheres --format q24 --size 32x32 --effects all");
+  CHECK(slurp(folder.path("p.png")) == picture);
+}
+
+TEST_CASE("the sheet of a small picture has room for its titles", "[cli][render]") {
+  const scratch folder;
+  rendered(folder, "sphere --size 16x16 --compare " + in(folder, "c.png"));
+  const std::string sheet = slurp(folder.path("c.png"));
+  REQUIRE(sheet.size() > 24);
+  const auto width = static_cast<unsigned char>(sheet[18]) * 256 + static_cast<unsigned char>(sheet[19]);
+  CHECK(width > 3 * 150);
+}
+
+TEST_CASE("what the library passes over in silence is refused or said", "[cli][render]") {
+  const scratch folder;
+  const auto refuses_text = [&](const std::string& name, const std::string& text, const std::string& part) {
+    folder.write(name, text);
+    refuses(folder, in(folder, name), folder.path(name) + part);
+  };
+  const std::string square = "OFF\n4 2 0\n-1 -1 0\n1 -1 0\n1 1 0\n-1 1 0\n";
+  folder.write("whole.off", "# a comment\n" + square + "3 0 1 2\n3 0 2 3 # red\n");
+  CHECK(rendered(folder, in(folder, "whole.off") + " --size 8x8")["triangles"] == 2);
+  refuses_text("o.off", square + "3 0 1 2\n3 0 2 9\n", ":8: vertex 9 does not exist, expected less than 4");
+  refuses_text("o.off", square + "3 0 1 2\n", ": has 1 of 2 faces, expected all of them");
+  refuses_text("o.off", square + "3 0 1 2\n3 0 2\n", ":8: face has '', expected 3 indices");
+  refuses_text("o.off", "OFF\n4 2 0\n-1 -1 0\n1 -1 x\n", ":4: vertex has 'x', expected three numbers");
+  const std::string head =
+      "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+      "element face 1\nproperty list uchar int vertex_indices\nend_header\n-1 -1 0\n1 -1 0\n1 1 0\n-1 1 0\n";
+  refuses_text("p.ply", head + "3 1 2 x\n", ":14: has 'x', expected an integer");
+  refuses_text("p.ply", head + "3 1 2 3.7\n", ":14: has '3.7', expected an integer");
+  refuses_text("p.ply", head + "3 1 2 4\n", ":14: vertex 4 does not exist, expected less than 4");
+  refuses_text("p.ply", head + "3 1 2 -1\n", ":14: vertex -1 does not exist, expected less than 4");
+  refuses_text("p.ply", head + "3 1 2 3 3\n", ":14: has '3' behind element 'face', expected nothing");
+  refuses_text("p.ply", head.substr(0, head.find("1 -1 0")) + "1 -1\n1 1 0\n-1 1 0\n3 1 2 3\n",
+               ":11: ends within element 'vertex', expected more values");
+  refuses_text("d.dxf", "0\nSECTION\n2\nENTITIES\n", ": ends without EOF, expected the whole file");
+  refuses_text("g.gltf", R"({"asset": {"version": "2.0"}, "extensionsRequired": ["KHR_mesh_quantization"]})",
+               ": requires the extension KHR_mesh_quantization, expected a file without it");
+  // A 3DS mesh of four points, whose second face is of a fifth.
+  const auto chunk = [](int id, const std::string& inside) {
+    std::string text;
+    const std::size_t size = inside.size() + 6;
+    for (const std::size_t each : {static_cast<std::size_t>(id), size, size >> 16}) {
+      text += static_cast<char>(each);
+      text += static_cast<char>(each >> 8);
+    }
+    return text + inside;
+  };
+  const auto shorts = [](std::initializer_list<int> all) {
+    std::string text;
+    for (const int each : all) {
+      text += static_cast<char>(each);
+      text += static_cast<char>(each >> 8);
+    }
+    return text;
+  };
+  const std::string points = shorts({4}) + std::string(4 * 12, '\0');
+  const auto file = [&](int last) {
+    return chunk(
+        0x4D4D,
+        chunk(0x3D3D,
+              chunk(0x4000, std::string("a\0", 2) +
+                                chunk(0x4100, chunk(0x4110, points) +
+                                                  chunk(0x4120, shorts({2, 0, 1, 2, 0, 0, 1, last, 0}))))));
+  };
+  refuses_text("t.3ds", file(4), ": vertex 4 does not exist, expected less than 4");
+  refuses_text("t.3ds", file(3), ": has no triangle with an area, expected one");
 }
 
 TEST_CASE("a scene without highlights has no device and no clock", "[cli][render]") {

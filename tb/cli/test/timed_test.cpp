@@ -226,6 +226,8 @@ TEST_CASE("what the engine timed cannot do is said in a line", "[timed]") {
   fails(of + " --period 5", "--period is about delays and engine bit has none, expected engine timed");
   fails(of + " --engine systemc --delays x.json", "--delays is about delays and engine systemc has none");
   fails(of + " --settling " + quoted(folder.path("s.csv")), "--settling is about delays");
+  fails(of + " --engine timed --vcd-deltas --vcd " + quoted(folder.path("w.vcd")),
+        "--vcd-deltas shows SystemC's delta cycles and engine timed has delays in their place");
   fails(of + " --engine systemc --vcd-deltas", "--vcd-deltas is about the waves of --vcd");
   fails(of + " --engine timed --delays " + quoted(folder.path("none.json")), "none.json: cannot be read");
   fails(of + " --engine timed --delays " + quoted(folder.path("")), ": cannot be read (Is a directory)");

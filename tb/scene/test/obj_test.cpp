@@ -118,7 +118,11 @@ TEST_CASE("numbers of a material are made legal, and every change is said", "[sc
   CHECK(message_of("Kd 1 0 0\nd 1 junk\n") == "d 1 junk dropped, surfaces are opaque");
   CHECK(message_of("Kd 1 0 0\nd -halo 0.5\n") == "d -halo 0.5 dropped, surfaces are opaque");
   CHECK(message_of("Kd 1 0 0\nd -halo 1\n").empty());
-  CHECK(message_of("Kd spectral x.rfl 1\n") == "Kd spectral dropped, RGB is read");
+  CHECK(message_of("Ka 1 1 1\nKd spectral x.rfl 1\n") == "Kd spectral dropped, RGB is read");
+  CHECK(message_of("Kd 1 0 0\nKd xyz 0.1 0.2 0.3\n") == "Kd xyz dropped, RGB is read");
+  CHECK(material_of("Kd 1 0 0\nKd xyz 0.1 0.2 0.3\n").kd == rgb{1, 0, 0});
+  CHECK(message_of("illum 1\n") == "no colour given, black");
+  CHECK(material_of("illum 1\nKs 1 1 1\nNs 200\n").n == 200);
   CHECK(message_of("Kd 1 0 0 1 junk\n") == "'1 junk' behind Kd dropped");
   CHECK(message_of("illum 2\nKs 1 1 1\nNs 10 20\n") == "'20' behind Ns dropped");
   CHECK(message_of("Kd 1 0 0\nKd 0 1 0\n") == "Kd given again, the last one taken");

@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/scene/file_checks.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cstddef>
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "tb/line_reader.h"
+#include "tb/scene/ply_check.h"
+#include "tb/scene/text_lines.h"
+#include "tb/usage_error.h"
+
+namespace blysk::scene {
+namespace {
+
+std::string missing_vertex(std::uint64_t index, std::uint64_t count) {
+  return fmt::format("vertex {} does not exist, expected less than {}", index, count);
+}
+
+// --- OFF: "OFF", the counts of vertices, faces and edges, a line for each vertex, a line for each face
+
+std::optional<std::uint64_t> count_of(std::string_view word) {
+  std::uint64_t value = 0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  if (word.empty() || error != std::errc{} || end != word.data() + word.size()) return std::nullopt;
+  return value;
+}
+
+/// Lines with something in them, without comments.
+class off_lines {
+ public:
+  explicit off_lines(std::string_view text) : rest_(text) {}
+
+  bool next() {
+    while (!rest_.empty()) {
+      const std::size_t end = std::min(rest_.find('\n'), rest_.size());
+      line_ = rest_.substr(0, end);
+      rest_.remove_prefix(std::min(end + 1, rest_.size()));
+      ++number_;
+      line_ = line_.substr(0, line_.find('#'));
+      if (line_.find_first_not_of(" \t\r") != std::string_view::npos) return true;
+    }
+    return false;
+  }
+  /// The line's next word; empty at its end.
+  std::string_view word() {
+    line_.remove_prefix(std::min(line_.find_first_not_of(" \t\r"), line_.size()));
+    const std::string_view found = line_.substr(0, line_.find_first_of(" \t\r"));
+    line_.remove_prefix(found.size());
+    return found;
+  }
+  std::size_t number() const { return number_; }
+
+ private:
+  std::string_view rest_, line_;
+  std::size_t number_ = 0;
+};
+
+/// \throws usage_error with the line
+void check_off(const std::string& path, std::string_view text) {
+  off_lines line(text);
+  if (!line.next() || !line.word().ends_with("OFF")) return;
+  std::array<std::uint64_t, 2> counts{};
+  std::string_view first = line.word();
+  if (first == "BINARY") return;
+  if (first.empty() && line.next()) first = line.word();
+  for (std::uint64_t& each : counts) {
+    const auto count = count_of(first);
+    if (!count)
+      throw file_error(path, line.number(), fmt::format("has '{}', expected a count", shown(first)));
+    each = *count;
+    first = line.word();
+  }
+  const auto fail_at_end = [&](std::uint64_t at, std::uint64_t count, const char* what) {
+    throw file_error(path, 0, fmt::format("has {} of {} {}, expected all of them", at, count, what));
+  };
+  for (std::uint64_t i = 0; i < counts[0]; ++i) {
+    if (!line.next()) fail_at_end(i, counts[0], "vertices");
+    for (int k = 0; k < 3; ++k) {
+      const std::string_view word = line.word();
+      if (!number_of(word))
+        throw file_error(path, line.number(),
+                         fmt::format("vertex has '{}', expected three numbers", shown(word)));
+    }
+  }
+  for (std::uint64_t i = 0; i < counts[1]; ++i) {
+    if (!line.next()) fail_at_end(i, counts[1], "faces");
+    const std::string_view size_word = line.word();
+    const auto size = count_of(size_word);
+    if (!size)
+      throw file_error(path, line.number(),
+                       fmt::format("face has '{}', expected how many corners", shown(size_word)));
+    for (std::uint64_t k = 0; k < *size; ++k) {
+      const std::string_view word = line.word();
+      const auto index = count_of(word);
+      if (!index)
+        throw file_error(path, line.number(),
+                         fmt::format("face has '{}', expected {} indices", shown(word), *size));
+      if (*index >= counts[0]) throw file_error(path, line.number(), missing_vertex(*index, counts[0]));
+    }
+  }
+}
+
+// --- 3DS: chunks of an identifier of 16 bits, a size of 32 with these six bytes, and what is in them
+
+class chunk_reader {
+ public:
+  explicit chunk_reader(std::string_view bytes) : bytes_(bytes) {}
+
+  bool next() {
+    if (bytes_.size() < kHead) return false;
+    const std::size_t size = number(bytes_, 2) | number(bytes_, 4) << 16;
+    if (size < kHead || size > bytes_.size()) return false;
+    id_ = number(bytes_, 0);
+    inside_ = bytes_.substr(kHead, size - kHead);
+    bytes_.remove_prefix(size);
+    return true;
+  }
+  std::size_t id() const { return id_; }
+  std::string_view inside() const { return inside_; }
+
+  /// 16 bits, the lower eight first.
+  static std::size_t number(std::string_view bytes, std::size_t at) {
+    return static_cast<unsigned char>(bytes[at]) | std::size_t{static_cast<unsigned char>(bytes[at + 1])}
+                                                       << 8;
+  }
+
+ private:
+  static constexpr std::size_t kHead = 6;
+
+  std::string_view bytes_, inside_;
+  std::size_t id_ = 0;
+};
+
+std::string fault_of_3ds_mesh(std::string_view bytes) {
+  constexpr std::size_t kVertices = 0x4110;
+  constexpr std::size_t kFaces = 0x4120;
+  constexpr std::size_t kFaceBytes = 8;  // three indices and flags
+  std::size_t vertices = 0;
+  std::string_view faces;
+  for (chunk_reader chunk(bytes); chunk.next();) {
+    if (chunk.inside().size() < 2) continue;
+    if (chunk.id() == kVertices) vertices = chunk_reader::number(chunk.inside(), 0);
+    if (chunk.id() == kFaces) faces = chunk.inside();
+  }
+  if (faces.empty()) return {};
+  const std::size_t count = chunk_reader::number(faces, 0);
+  faces.remove_prefix(2);
+  if (faces.size() / kFaceBytes < count)
+    return fmt::format("has {} of {} faces of a mesh, expected all of them", faces.size() / kFaceBytes,
+                       count);
+  for (std::size_t face = 0; face < count; ++face) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t index = chunk_reader::number(faces, face * kFaceBytes + 2 * k);
+      if (index >= vertices) return missing_vertex(index, vertices);
+    }
+  }
+  return {};
+}
+
+std::string fault_of_3ds(std::string_view bytes) {
+  constexpr std::size_t kFile = 0x4D4D;
+  constexpr std::size_t kEditor = 0x3D3D;
+  constexpr std::size_t kObject = 0x4000;
+  constexpr std::size_t kMesh = 0x4100;
+  for (chunk_reader chunk(bytes); chunk.next();) {
+    std::string_view inside = chunk.inside();
+    if (chunk.id() == kMesh) {
+      if (std::string fault = fault_of_3ds_mesh(inside); !fault.empty()) return fault;
+      continue;
+    }
+    if (chunk.id() == kObject)
+      inside.remove_prefix(std::min(inside.size(), inside.find('\0') + 1));  // its name
+    else if (chunk.id() != kFile && chunk.id() != kEditor)
+      continue;
+    if (std::string fault = fault_of_3ds(inside); !fault.empty()) return fault;
+  }
+  return {};
+}
+
+// --- glTF
+
+std::string_view json_of_glb(std::string_view bytes) {
+  constexpr std::size_t kHead = 20;  // of the file, and of its first chunk
+  if (bytes.size() < kHead || !bytes.starts_with("glTF") || bytes.substr(16, 4) != "JSON") return {};
+  const std::size_t size = chunk_reader::number(bytes, 12) | chunk_reader::number(bytes, 14) << 16;
+  return bytes.substr(kHead, size);
+}
+
+/// Extensions of materials, textures and lights change no shape.
+bool is_of_shape(std::string_view extension) {
+  constexpr std::array kOthers{"KHR_materials_", "KHR_texture_", "EXT_texture_", "KHR_lights_"};
+  return std::ranges::none_of(kOthers, [&](const char* each) { return extension.starts_with(each); });
+}
+
+std::string fault_of_gltf(std::string_view text) {
+  using nlohmann::json;
+  const json read = json::parse(text, nullptr, false);
+  if (!read.is_object() || !read.contains("extensionsRequired")) return {};
+  for (const json& each : read["extensionsRequired"]) {
+    if (each.is_string() && is_of_shape(each.get<std::string>()))
+      return fmt::format("requires the extension {}, expected a file without it",
+                         shown(each.get<std::string>()));
+  }
+  return {};
+}
+
+// --- DXF
+
+std::string fault_of_dxf(std::string_view text) {
+  if (text.starts_with("AutoCAD Binary DXF")) return {};
+  const std::size_t end = text.find_last_not_of(" \t\r\n");
+  if (end == std::string_view::npos || text.substr(0, end + 1).ends_with("EOF")) return {};
+  return "ends without EOF, expected the whole file";
+}
+
+}  // namespace
+
+void check_file(const std::string& path, const std::string& ending, std::string_view bytes) {
+  if (ending == ".ply") {
+    if (const std::optional<ply_fault> fault = fault_of_ply(bytes))
+      throw file_error(path, fault->line, fault->what);
+  }
+  if (ending == ".off") check_off(path, bytes);
+  const std::string fault = ending == ".3ds"    ? fault_of_3ds(bytes)
+                            : ending == ".gltf" ? fault_of_gltf(bytes)
+                            : ending == ".glb"  ? fault_of_gltf(json_of_glb(bytes))
+                            : ending == ".dxf"  ? fault_of_dxf(bytes)
+                                                : "";
+  if (!fault.empty()) throw file_error(path, 0, fault);
+}
+
+bool is_checked(const std::string& ending) {
+  constexpr std::array kChecked{".ply", ".off", ".3ds", ".gltf", ".glb", ".dxf"};
+  return std::ranges::find(kChecked, ending) != kChecked.end();
+}
+
+}  // namespace blysk::scene
