@@ -164,7 +164,10 @@ std::string fault_of_3ds_mesh(std::string_view bytes) {
   return {};
 }
 
-std::string fault_of_3ds(std::string_view bytes) {
+/// \param depth  of chunks in chunks: a mesh is the fourth
+std::string fault_of_3ds(std::string_view bytes, int depth = 0) {
+  constexpr int kDeepest = 4;
+  if (depth == kDeepest) return {};
   constexpr std::size_t kFile = 0x4D4D;
   constexpr std::size_t kEditor = 0x3D3D;
   constexpr std::size_t kObject = 0x4000;
@@ -179,7 +182,7 @@ std::string fault_of_3ds(std::string_view bytes) {
       inside.remove_prefix(std::min(inside.size(), inside.find('\0') + 1));  // its name
     else if (chunk.id() != kFile && chunk.id() != kEditor)
       continue;
-    if (std::string fault = fault_of_3ds(inside); !fault.empty()) return fault;
+    if (std::string fault = fault_of_3ds(inside, depth + 1); !fault.empty()) return fault;
   }
   return {};
 }
