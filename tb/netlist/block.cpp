@@ -8,6 +8,20 @@
 
 namespace blysk::netlist {
 
+void block::add_trace(const char* name, tracer records) {
+  traces_.emplace_back(name, std::move(records));
+}
+
+void block::add_assignment(const char* target, shape bits, const std::optional<wire_format>& carries,
+                           const expression& value) {
+  drives_.push_back({declare(target, declaration::role::output, bits, carries), value});
+}
+
+void block::add_register(const sc_core::sc_in<bool>& clk, const sc_core::sc_in<bool>& rst_n,
+                         const expression& enable, const expression& d, std::size_t q, std::int64_t reset) {
+  registers_.push_back({read(clk), read(rst_n), enable, d, q, reset});
+}
+
 expression block::read(const std::string& name, declaration::role where, shape bits,
                        const std::optional<wire_format>& carries) {
   declare(name, where, bits, carries);

@@ -120,12 +120,12 @@ class block {
   template <class Q>
   void reg(const sc_core::sc_in<bool>& clk, const sc_core::sc_in<bool>& rst_n, const expression& enable,
            const expression& d, const Q& q, std::int64_t reset = 0) {
-    registers_.push_back({read(clk), read(rst_n), enable, d, declare_register(q, std::nullopt), reset});
+    add_register(clk, rst_n, enable, d, declare_register(q, std::nullopt), reset);
   }
   template <class Q, class Format>
   void reg(const sc_core::sc_in<bool>& clk, const sc_core::sc_in<bool>& rst_n, const expression& enable,
            const expression& d, const Q& q, Format format, std::int64_t reset = 0) {
-    registers_.push_back({read(clk), read(rst_n), enable, d, declare_register(q, format_of(format)), reset});
+    add_register(clk, rst_n, enable, d, declare_register(q, format_of(format)), reset);
   }
 
   const std::string& words() const { return words_; }
@@ -150,14 +150,14 @@ class block {
  private:
   template <class T>
   void trace(const sc_core::sc_out<T>& port) {
-    traces_.emplace_back(port.basename(), [&port](sc_core::sc_trace_file* file, const std::string& name) {
+    add_trace(port.basename(), [&port](sc_core::sc_trace_file* file, const std::string& name) {
       sc_core::sc_trace(file, port, name);
     });
   }
   template <class T>
   void add_drive(const sc_core::sc_out<T>& target, const expression& value,
                  const std::optional<wire_format>& carries) {
-    drives_.push_back({declare(target.basename(), declaration::role::output, shape_of<T>, carries), value});
+    add_assignment(target.basename(), shape_of<T>, carries, value);
     trace(target);
   }
   template <class T>
@@ -171,6 +171,12 @@ class block {
     return declare(q.basename(), declaration::role::wire, shape_of<T>, carries, true);
   }
 
+  // Not of the ports' types: compiled once for all blocks.
+  void add_trace(const char* name, tracer records);
+  void add_assignment(const char* target, shape bits, const std::optional<wire_format>& carries,
+                      const expression& value);
+  void add_register(const sc_core::sc_in<bool>& clk, const sc_core::sc_in<bool>& rst_n,
+                    const expression& enable, const expression& d, std::size_t q, std::int64_t reset);
   expression read(const std::string& name, declaration::role where, shape bits,
                   const std::optional<wire_format>& carries);
   std::size_t declare(const std::string& name, declaration::role where, shape bits,

@@ -6,6 +6,18 @@
 
 namespace blysk::netlist {
 
+block& parts_list::new_block(const sc_core::sc_module& part) {
+  modules_.push_back(&part);
+  return blocks_[&part];
+}
+
+const port& port_binder::next_port(const sc_core::sc_object& object) const {
+  const port& what = described_.at(ports_.size());
+  if (what.name != object.basename())
+    throw std::logic_error("pins() calls " + std::string(object.basename()) + " by the name " + what.name);
+  return what;
+}
+
 const block* parts_list::find(const sc_core::sc_object& module) const {
   const auto found = blocks_.find(&module);
   return found == blocks_.end() ? nullptr : &found->second;

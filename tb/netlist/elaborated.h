@@ -38,16 +38,14 @@ class parts_list {
  private:
   template <class Block>
   requires std::is_base_of_v<sc_core::sc_module, Block>
-  void add(const Block& part) {
-    part.describe(blocks_[&part]);
-    modules_.push_back(&part);
-  }
+  void add(const Block& part) { part.describe(new_block(part)); }
   /// Registers that a pipeline may have.
   template <class Block>
   void add(const std::unique_ptr<Block>& part) {
     if (part) add(*part);
   }
   void add(std::nullptr_t) {}
+  block& new_block(const sc_core::sc_module& part);
 
   std::map<const sc_core::sc_object*, block> blocks_;
   std::vector<const sc_core::sc_module*> modules_;
@@ -155,97 +153,113 @@ class bound_signal final : public bound_port {
   bool is_driven_;
 };
 
-/// Reader of a device's pins() that binds a signal to each port.
-template <class Device>
-class elaborated::binder {
- public:
-  binder(Device& device, double clock_period_ns, std::vector<port> described,
-         std::vector<std::unique_ptr<bound_port>>& ports)
-      : device_(device), clock_period_ns_(clock_period_ns), ports_(ports), described_(std::move(described)) {}
+/// What binds signals to ports, whatever the device is: compiled once for each type of a port.
+class port_binder {
+ protected:
+  port_binder(std::vector<port> described, std::vector<std::unique_ptr<bound_port>>& ports)
+      : ports_(ports), described_(std::move(described)) {}
 
-  template <class Member>
-  void clock(Member member, const pin&) {
-    if (clock_period_ns_ > 0) {
-      bind(member,
-           std::make_unique<sc_core::sc_clock>(sc_core::sc_gen_unique_name("clk"),
-                                               sc_core::sc_time(clock_period_ns_, sc_core::SC_NS)),
-           false);
-    } else {
-      bind_input(member);
-    }
+  template <class T>
+  void bind(sc_core::sc_in<T>& to) {
+    bind(to, make_signal<T>(), true);
   }
-  template <class Member>
-  void reset(Member member, const pin&) {
-    bind_input(member);
+  template <class T>
+  void bind(sc_core::sc_out<T>& to) {
+    bind(to, make_signal<T>(), false);
   }
-  template <class Member, class Format>
-  void data(Member member, const pin&, Format, const char*) {
-    bind_input(member);
+  template <class T, class Port>
+  void bind(Port& to, std::unique_ptr<sc_core::sc_signal<T>> signal, bool is_driven) {
+    to(*signal);
+    sc_core::sc_signal<T>& bound = *signal;
+    add(bound, std::move(signal), to, is_driven);
   }
-  template <class Member>
-  void strobe(Member member, const pin&, const char*, write_edge) {
-    bind_input(member);
+
+  /// A net of the device, which it owns.
+  template <class T>
+  void add_inner(sc_core::sc_signal<T>& net) {
+    add<T>(net, nullptr, net, false);
   }
-  template <class Member>
-  void start(Member member, const pin&) {
-    bind_input(member);
+
+  template <class T>
+  void add(sc_core::sc_signal<T>& signal, std::unique_ptr<sc_core::sc_signal<T>> owned,
+           const sc_core::sc_object& object, bool is_driven) {
+    ports_.push_back(
+        std::make_unique<bound_signal<T>>(next_port(object), signal, std::move(owned), is_driven));
   }
-  template <class Member>
-  void control(Member member, const pin&) {
-    bind_input(member);
-  }
-  template <class Member>
-  void ready(Member member, const pin&) {
-    bind_output(member);
-  }
-  template <class Member, class Format>
-  void result(Member member, const pin&, Format, const char*) {
-    bind_output(member);
-  }
-  template <class Member, class Format>
-  void inner_result(Member member, const pin&, Format, const char*) {
-    add(device_.*member, nullptr, device_.*member, false);
-  }
-  template <class Member>
-  void valid(Member member, const pin&) {
-    bind_output(member);
-  }
-  void settles_after(int) {}
 
  private:
-  template <class Class, class T>
-  void bind_input(sc_core::sc_in<T> Class::*member) {
-    bind(member, make_signal<T>(), true);
-  }
-  template <class Class, class T>
-  void bind_output(sc_core::sc_out<T> Class::*member) {
-    bind(member, make_signal<T>(), false);
-  }
-
   template <class T>
   static std::unique_ptr<sc_core::sc_signal<T>> make_signal() {
     return std::make_unique<netlist::wire<T>>(sc_core::sc_gen_unique_name("pin"));
   }
 
-  template <class Member, class Signal>
-  void bind(Member member, std::unique_ptr<Signal> signal, bool is_driven) {
-    (device_.*member)(*signal);
-    Signal& bound = *signal;
-    add(bound, std::move(signal), device_.*member, is_driven);
-  }
+  /// \throws std::logic_error if the device calls it by another name
+  const port& next_port(const sc_core::sc_object& object) const;
 
-  template <class T, class Owned>
-  void add(sc_core::sc_signal<T>& signal, Owned owned, const sc_core::sc_object& object, bool is_driven) {
-    const port& what = described_.at(ports_.size());
-    if (what.name != object.basename())
-      throw std::logic_error("pins() calls " + std::string(object.basename()) + " by the name " + what.name);
-    ports_.push_back(std::make_unique<bound_signal<T>>(what, signal, std::move(owned), is_driven));
-  }
-
-  Device& device_;
-  double clock_period_ns_;
   std::vector<std::unique_ptr<bound_port>>& ports_;
   std::vector<port> described_;
+};
+
+/// Reader of a device's pins() that binds a signal to each port.
+template <class Device>
+class elaborated::binder : private port_binder {
+ public:
+  binder(Device& device, double clock_period_ns, std::vector<port> described,
+         std::vector<std::unique_ptr<bound_port>>& ports)
+      : port_binder(std::move(described), ports), device_(device), clock_period_ns_(clock_period_ns) {}
+
+  template <class Member>
+  void clock(Member member, const pin&) {
+    if (clock_period_ns_ > 0) {
+      bind<bool>(device_.*member,
+                 std::make_unique<sc_core::sc_clock>(sc_core::sc_gen_unique_name("clk"),
+                                                     sc_core::sc_time(clock_period_ns_, sc_core::SC_NS)),
+                 false);
+    } else {
+      bind(device_.*member);
+    }
+  }
+  template <class Member>
+  void reset(Member member, const pin&) {
+    bind(device_.*member);
+  }
+  template <class Member, class Format>
+  void data(Member member, const pin&, Format, const char*) {
+    bind(device_.*member);
+  }
+  template <class Member>
+  void strobe(Member member, const pin&, const char*, write_edge) {
+    bind(device_.*member);
+  }
+  template <class Member>
+  void start(Member member, const pin&) {
+    bind(device_.*member);
+  }
+  template <class Member>
+  void control(Member member, const pin&) {
+    bind(device_.*member);
+  }
+  template <class Member>
+  void ready(Member member, const pin&) {
+    bind(device_.*member);
+  }
+  template <class Member, class Format>
+  void result(Member member, const pin&, Format, const char*) {
+    bind(device_.*member);
+  }
+  template <class Member, class Format>
+  void inner_result(Member member, const pin&, Format, const char*) {
+    add_inner(device_.*member);
+  }
+  template <class Member>
+  void valid(Member member, const pin&) {
+    bind(device_.*member);
+  }
+  void settles_after(int) {}
+
+ private:
+  Device& device_;
+  double clock_period_ns_;
 };
 
 template <class Device>
