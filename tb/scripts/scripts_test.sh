@@ -301,7 +301,8 @@ END
     echo 0 >verdict
     checked 0 'until it is mended' c
     checked 0 'and then no more'
-    exits 1 tree/scripts/lint tidy no/build
+    exits 2 tree/scripts/lint tidy no/build
+    one_line "cannot enter 'no/build', expected a configured build folder"
     exits 1 tree/scripts/lint tidy stubs
     one_line compile_commands.json
     ;;

@@ -260,6 +260,7 @@ TEST_CASE("rays at every pixel give the picture of the z-buffer", "[render][segm
     REQUIRE(rays.reference.rgb == whole.reference.rgb);
     REQUIRE(rays.device_writes == whole.device_writes);
     REQUIRE(rays.by_segments->traced == 23 * 17);
+    REQUIRE(rays.points == whole.points);
     asked.by_segments = segments{.length = 1, .inner = inner_colours::bilinear};
     REQUIRE(render::render(asked).image.rgb == whole.image.rgb);
     asked.by_segments = segments{};
@@ -270,7 +271,7 @@ TEST_CASE("rays at every pixel give the picture of the z-buffer", "[render][segm
     asked.threads = 1;
     asked.asked = effects::all;
     REQUIRE(render::render(asked).image.rgb == some.image.rgb);
-    REQUIRE(some.by_segments->traced == some.points);
+    REQUIRE(some.by_segments->traced >= some.points);
     traced += some.by_segments->traced;
   }
   CHECK(traced < 200 * 23 * 17);
