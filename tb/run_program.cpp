@@ -84,6 +84,8 @@ int run_program(std::string_view name, const std::function<int()>& body) noexcep
   hold_standard_files();
   soften_processor_time();
   std::signal(SIGXFSZ, SIG_IGN);
+  // Where a caller ignores it, the end of a tool could not be waited for.
+  std::signal(SIGCHLD, SIG_DFL);
   try {
     const int status = body();
     finish_standard_output();
