@@ -42,6 +42,9 @@ some() { sed -n -e 1p -e "2~$1p" all; }
 "$blysk" vectors --device "$device" --format "$format" --output all
 
 if [ "$4" = mapped ]; then
+  for tool in yosys nextpnr-ice40 icepack; do
+    command -v "$tool" >/dev/null || { echo "$tool is not there, scripts/setup --synthesis installs it" && exit 77; }
+  done
   yosys -q -p "read_verilog rtl/*.v; synth_ice40 -top $top -json mapped.json; write_verilog -noattr mapped.v"
   nextpnr-ice40 --hx8k --package ct256 --freq 12 --seed 1 --json mapped.json --pcf "rtl/$top.pcf" --asc mapped.asc >log 2>&1 ||
     { cat log >&2 && fail 'it does not fit, or is too slow'; }

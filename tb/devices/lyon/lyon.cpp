@@ -61,7 +61,7 @@ class lyon final : public specular::device_of_lobe<law> {
   std::string source() const override { return "Lyon, Apple TR 43"; }
   std::string figure() const override { return "UA 60553 fig. 1 with another path"; }
   std::string good_for() const override {
-    return "no memory, one to three squares; the higher the degree, the closer";
+    return "no memory, one to three squares; the higher the degree, the smaller the rms error";
   }
 
   std::vector<option> options() const override {
