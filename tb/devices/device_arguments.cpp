@@ -39,7 +39,8 @@ std::vector<shared_option> all_options() {
 
 /// "[derived]: derived, published", and what engine golden takes besides.
 std::string values_of(const option& own, purpose is_for) {
-  if (own.is_flag() || own.values.empty()) return {};
+  if (own.is_flag()) return {};
+  if (own.values.empty()) return own.preset.empty() ? "" : fmt::format(" [{}]", own.preset);
   std::string text = fmt::format(" [{}]: {}", own.preset, fmt::join(own.values, ", "));
   if (is_for == purpose::formula && !own.formula_values.empty())
     text += fmt::format("; engine golden also {}", fmt::join(own.formula_values, ", "));

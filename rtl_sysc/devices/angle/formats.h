@@ -41,7 +41,7 @@ template <class Q, bool HasEnergy = false>
 struct angle_formats {
   static constexpr bool has_energy = HasEnergy;
   static constexpr int angle_bits =
-      Q::frac + 10;  // 1023 steps add up the step's rounding to half an ulp of the reflectance
+      Q::frac + 10;  // 1023 steps add up the step's rounding to at most 2^-(F + 1) rad
   static constexpr int address_bits = min_of(Q::frac + 1, 10);
   static constexpr int limited_bits = address_bits + 6;
   static constexpr int factor_bits = address_bits + 4;

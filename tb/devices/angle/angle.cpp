@@ -169,7 +169,7 @@ class angle_device_of final : public device {
         {.name = "q",
          .help = "Q of the article, at which the lobe meets cos^n: above 0 and below 1, at most six decimals",
          .preset = "0.5"},
-        {.name = "k", .help = "power of the cosine for n >= k, 1..15", .preset = "5"},
+        {.name = "k", .help = "power of the cosine for n > k, 1..15", .preset = "5"},
         {.name = "energy",
          .help = "factor of the lobe: 1 (none), the article's fit (published), its 1/(2 pi Int) (exact), one "
                  "that "
@@ -182,6 +182,16 @@ class angle_device_of final : public device {
     level_of(asked);
     powers_of(asked);
     energy_of(asked);
+  }
+
+  /// A number is one however it is written.
+  std::map<std::string, std::string> canonical(const selection& asked) const override {
+    std::map<std::string, std::string> values = asked.values();
+    std::string& level = values["q"];
+    level = fmt::format("0.{:06}", level_of(asked));
+    level.erase(level.find_last_not_of('0') + 1);
+    values["k"] = fmt::format("{}", powers_of(asked));
+    return values;
   }
 
   std::string words(const selection& asked) const override {

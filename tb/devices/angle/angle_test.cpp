@@ -276,6 +276,19 @@ TEST_CASE("the words of ROM 2 are as survivors.txt and uncovered.txt say", "[ang
   CHECK(reaches_end);
 }
 
+TEST_CASE("a number is one however it is written", "[angle]") {
+  for (const char* level : {"0.5", ".5", "0.50", "0.500000"}) {
+    for (const char* powers : {"5", "05"}) {
+      CAPTURE(level, powers);
+      const selection asked = choose("angle", "q8", {{"q", level}, {"k", powers}});
+      CHECK(asked.is_preset());
+      CHECK(asked.text() == choose("angle", "q8").text());
+    }
+  }
+  CHECK(choose("angle", "q8", {{"q", "0.000001"}}).value("q") == "0.000001");
+  CHECK(choose("angle", "q8", {{"q", "0.123450"}}).value("q") == "0.12345");
+}
+
 TEST_CASE("options that are no Q or k are refused in one line", "[angle]") {
   for (const char* q :
        {"0", "1", "0.0", "1.0", "1.5", "-0.5", "0.", "", "0.1234567", "0.5x", "5e-1", "nan"}) {
