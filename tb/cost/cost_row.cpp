@@ -157,16 +157,16 @@ nlohmann::ordered_json parse_json(const std::string& path, const std::string& te
 cost_row parse_cost_row(const std::string& path, const std::string& text) {
   const json row = parse_json(path, text);
   return read_stored(path, "a row of scripts/synth", [&] {
-    constexpr std::array kKnown{"device", "format", "options", "ice40", "ice40_dsp", "hx8k", "osu018"};
-    for (const auto& [key, value] : row.items()) {
-      if (std::ranges::find(kKnown, key) == kKnown.end())
-        throw std::domain_error(fmt::format("'{}' is no part of it", shown(key)));
-    }
     cost_row result{row.at("device"), row.at("format"), row.at("options"), {}, {}, {}, {}};
     take(row, "ice40", result.ice40, ice40_of);
     take(row, "ice40_dsp", result.ice40_dsp, ice40_of);
     take(row, "hx8k", result.hx8k, placement_of);
     take(row, "osu018", result.osu018, standard_cells_of);
+    constexpr std::array kKnown{"device", "format", "options", "ice40", "ice40_dsp", "hx8k", "osu018"};
+    for (const auto& [key, value] : row.items()) {
+      if (std::ranges::find(kKnown, key) == kKnown.end())
+        throw std::domain_error(fmt::format("'{}' is no part of it", shown(key)));
+    }
     return result;
   });
 }

@@ -150,7 +150,7 @@ module {0}_bench;
       if (line[8*size-1-:8] == "#") $fwrite(answers, "%0s", line);
       else if (taken == {11} && ^{{{9}}} !== 1'bx{12}) begin
 {13}        put;
-      end else if (taken >= 0) is_wrong = 1;  // not blank
+      end else if ($sscanf(line, "%s", behind) > 0) is_wrong = 1;  // not blank
     end
   endtask
 
