@@ -128,7 +128,8 @@ module {0}_bench;
 
   always #5 {3} = !{3};
 
-  reg [8*1024-1:0] vectors_path, answers_path, line;
+  reg [8*1024-1:0] vectors_path, answers_path;
+  reg [8*256-1:0] line, text;  // more characters than a line has, and all that Verilator takes
   reg [8*64-1:0] behind;
   reg [63:0] {9};
   reg is_wrong;
@@ -146,11 +147,12 @@ module {0}_bench;
   // A line of vectors; one that begins with # goes to the answers as it is.
   task take;
     begin
-      taken = $sscanf(line, "{10} %s", {9}, behind);
+      text = line << 8 * (256 - size);  // its first character where Verilator begins
+      taken = $sscanf(text, "{10} %s", {9}, behind);
       if (line[8*size-1-:8] == "#") $fwrite(answers, "%0s", line);
       else if (taken == {11} && ^{{{9}}} !== 1'bx{12}) begin
 {13}        put;
-      end else if ($sscanf(line, "%s", behind) > 0) is_wrong = 1;  // not blank
+      end else if ($sscanf(text, "%s", behind) > 0) is_wrong = 1;  // not blank
     end
   endtask
 
