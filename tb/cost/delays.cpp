@@ -150,17 +150,13 @@ device_delays parse_delays(const std::string& path, const std::string& text) {
   }
 }
 
-void expect_strobes(const selection& asked) {
+device_delays read_delays(const std::string& file, const selection& asked, const std::string& digest) {
   if (protocol_of(asked.of().ports(asked)) != protocol::strobes) {
     throw std::invalid_argument(fmt::format(
         "device {} takes its inputs by start and ready, expected one whose registers are written by "
         "strobes: no other has nets that take delays",
         asked.of().name()));
   }
-}
-
-device_delays read_delays(const std::string& file, const selection& asked, const std::string& digest) {
-  expect_strobes(asked);
   const std::string place = row_path("delays", asked);
   std::string path = file;
   std::string text;

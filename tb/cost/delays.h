@@ -17,9 +17,6 @@ nlohmann::ordered_json json_of(const device_delays& delays);
 /// \throws usage_error for text that holds no delays
 device_delays parse_delays(const std::string& path, const std::string& text);
 
-/// \throws std::invalid_argument for a device that takes its inputs by start and ready
-void expect_strobes(const selection& asked);
-
 /// Delays that were measured of the Verilog that the device exports today.
 /// \param file    of scripts/synth --delays; empty for the embedded one
 /// \param digest  of today's Verilog

@@ -338,7 +338,8 @@ void measure(const mapped_files& files, const std::string& top, const std::strin
     for (const auto& [name, cell] : modules.at(top).at("cells").items()) {
       const std::string kind = cell.at("type");
       if (!modules.contains(kind))
-        throw std::runtime_error(fmt::format("cell {} lies between the blocks of {}", name, top));
+        throw std::runtime_error(fmt::format(
+            "cell {} lies between the blocks of {}, expected cells within blocks alone", name, top));
       to.blocks.push_back(measure_block(name, modules.at(kind), arcs));
     }
     const json& cells = modules.at(top).at("cells");

@@ -178,8 +178,8 @@ int main(int argc, char** argv) {
         collects = add("collect", "make a row of the tools' reports");
         delays = add("delays", "make a file of delays of the mapped netlist");
         add("path", "print where the row stands below docs/tables")
-            ->add_option("--kind", kind, "cost, delays or sdf")
-            ->check(CLI::IsMember({"cost", "delays", "sdf"}));
+            ->add_option("--kind", kind, "cost or delays")
+            ->check(CLI::IsMember({"cost", "delays"}));
         for (CLI::App* each : {prepares, collects, delays})
           each->add_option("FOLDER", folder, "of the tools")->required();
         for (CLI::App* each : {collects, delays}) each->add_option("--row", row, "file to write")->required();
@@ -193,7 +193,6 @@ int main(int argc, char** argv) {
         } else if (delays->parsed()) {
           collect_delays(chosen, folder, row);
         } else {
-          if (kind == "delays") cost::expect_strobes(chosen);
           fmt::print("{}\n", cost::row_path(reference.empty() ? kind : "reference", chosen));
         }
         return 0;
