@@ -128,10 +128,15 @@ bool is_corrected(const std::string& perspective) {
   throw usage_error(fmt::format("perspective {} does not exist, expected corrected or screen", perspective));
 }
 
-bool shades_points(const device& of) {
+/// \throws std::invalid_argument for a device that does not exist or shades no point
+void expect_shading(const std::string& device) {
   const auto format = std::ranges::find_if(format_names, is_in_build);
+  render::device_ports unused(choose(device, std::string(*format)));
+}
+
+bool shades_points(const device& of) {
   try {
-    render::device_ports unused(choose(of.name(), std::string(*format)));
+    expect_shading(of.name());
     return true;
   } catch (const std::invalid_argument&) {
     return false;
@@ -281,8 +286,7 @@ void take_presets(const CLI::App& verb, const std::map<std::string, scene::given
       {"shading", &to.shading, [&] { render::find_shading(to.shading); }},
       {"perspective", &to.perspective, [&] { is_corrected(to.perspective); }},
       {"engine", &to.engine, [&] { find_engine(to.engine); }},
-      {"device", &to.device.device,
-       [&] { render::device_ports unused(choose(to.device.device, to.device.format)); }},
+      {"device", &to.device.device, [&] { expect_shading(to.device.device); }},
       {"format", &to.device.format, [&] { choose(devices().front()->name(), to.device.format); }},
       {"normalisation", &to.normalisation, [&] { normalisation_of(to.normalisation); }}};
   for (const preset& each : presets) {

@@ -62,8 +62,10 @@ configuration& find_or_add(std::vector<configuration>& all, const std::string& p
   }
 }
 
-/// A row stands in the file that its name says: another one of that configuration would take its place.
-void expect_name(const std::string& path, const std::string& kind, const selection& asked) {
+/// A row stands in the file that its name says, and no other does for that configuration: the last one would win.
+void expect_name(const std::string& path, const std::string& kind, const selection& asked, bool is_known) {
+  if (is_known)
+    throw file_error(path, 0, fmt::format("is one more {} row of {}, expected one", kind, asked.text()));
   const std::string expected = fs::path(row_path(kind, asked)).filename().string();
   if (fs::path(path).filename() != expected)
     throw file_error(path, 0, fmt::format("is a row of another name, expected {}", expected));
@@ -73,7 +75,7 @@ void add_errors(std::vector<configuration>& all, const named_text& file) {
   const json row = parse_json(file.path, file.text);
   read_stored(file.path, "a row of the target update_errors", [&] {
     configuration& of = find_or_add(all, file.path, row.at("device"), row.at("format"), row.at("options"));
-    expect_name(file.path, "errors", of.asked);
+    expect_name(file.path, "errors", of.asked, of.errors.has_value());
     of.errors = parse_errors(file.path, row.at("domains"));
   });
 }
@@ -202,17 +204,17 @@ std::vector<configuration> read_measured(const std::string& folder) {
     if (name.starts_with("cost_")) {
       cost_row row = parse_cost_row(file.path, file.text);
       configuration& of = find_or_add(all, file.path, row.device, row.format, row.options);
-      expect_name(file.path, "cost", of.asked);
+      expect_name(file.path, "cost", of.asked, !of.cost.device.empty());
       of.cost = std::move(row);
     } else if (name.starts_with("reference_")) {
       cost_row row = parse_cost_row(file.path, file.text);
       configuration& of = find_or_add(all, file.path, row.device, row.format, row.options);
-      expect_name(file.path, "reference", of.asked);
+      expect_name(file.path, "reference", of.asked, !of.reference.device.empty());
       of.reference = std::move(row);
     } else if (name.starts_with("energy_")) {
       energy_row row = parse_energy_row(file.path, file.text);
       configuration& of = find_or_add(all, file.path, row.device, row.format, row.options);
-      expect_name(file.path, "energy", of.asked);
+      expect_name(file.path, "energy", of.asked, of.energy.has_value());
       of.energy = std::move(row);
     } else if (name.starts_with("errors_")) {
       add_errors(all, file);

@@ -323,7 +323,7 @@ choice choose_cheapest(const std::vector<configuration>& all, double tolerance, 
   const auto by_cost = [](const candidate& c) { return std::pair(c.cost, c.error); };
   const auto by_error = [](const candidate& c) { return std::pair(c.error, c.cost); };
   choice found;
-  found.has_candidate = !among.empty();
+  found.has_candidate = !candidates(all, by, where, in, 0).empty();
   for (const configuration& each : all) {
     if (!in.cost(each) && each.has_errors_in(where) && by.of(each.errors_in(where)) <= tolerance)
       found.unpriced.push_back(&each);

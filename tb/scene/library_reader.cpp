@@ -241,14 +241,17 @@ bool is_missing(const aiMaterial& of, const std::string& ending, bool is_last) {
   if (called == "%%%DEFAULT" || ending == ".off") return true;
   if (ending == ".x") return called.empty();
   const auto kd = colour_of(of, AI_MATKEY_COLOR_DIFFUSE);
-  auto ks = colour_of(of, AI_MATKEY_COLOR_SPECULAR);
+  const auto ks = colour_of(of, AI_MATKEY_COLOR_SPECULAR);
   if (ending == ".gltf" || ending == ".glb") return is_last && called.empty() && kd == rgb{1, 1, 1};
   float exponent = 0;
   if (of.Get(AI_MATKEY_SHININESS, exponent) == aiReturn_SUCCESS && exponent != 0) return false;
   if (called == AI_DEFAULT_MATERIAL_NAME) return true;
   const bool is_grey = kd && (*kd)[0] == (*kd)[1] && (*kd)[1] == (*kd)[2];
-  if (ending == ".ac" && ks == rgb{1, 1, 1}) ks.reset();
-  return called.empty() && (!ks || kd == ks) && (!kd || is_grey);
+  if (ending == ".raw") return called.empty() && !ks && is_grey;
+  if (ending == ".ac")
+    return called.empty() && is_grey && ks == rgb{1, 1, 1} &&
+           colour_of(of, AI_MATKEY_COLOR_AMBIENT) == rgb{0, 0, 0};
+  return called.empty() && kd == ks && (!kd || is_grey);
 }
 
 /// The files, with a note of each that the library opens.

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "tb/line_reader.h"
+#include "tb/read_number.h"
 #include "tb/scene/text_lines.h"
 
 namespace blysk::scene {
@@ -68,7 +69,8 @@ bool take_property(std::string_view rest, element& of) {
   const type* const count = is_list ? find_type(take_word(rest)) : nullptr;
   const type* const item = find_type(is_list ? take_word(rest) : first);
   const std::string_view name = take_word(rest);
-  of.properties.push_back({count, item, is_list && (name == "vertex_indices" || name == "vertex_index")});
+  const bool is_of_vertices = of.name == "face" && (name == "vertex_indices" || name == "vertex_index");
+  of.properties.push_back({count, item, is_list && is_of_vertices});
   return item != nullptr && (count != nullptr || !is_list);
 }
 
@@ -121,7 +123,7 @@ std::string fault_of_line(std::string_view line, const element& of, std::uint64_
     const std::string_view word = take_word(line);
     if (word.empty()) return fmt::format("ends within element '{}', expected more values", shown(of.name));
     const bool is_real = item.name == "float" || item.name == "double";
-    if (is_real) return number_of(word) ? "" : fmt::format("has '{}', expected a number", shown(word));
+    if (is_real) return read_real(word) ? "" : fmt::format("has '{}', expected a number", shown(word));
     const auto value = whole<std::int64_t>(word);
     return value ? fault_of_index(*value, most) : fmt::format("has '{}', expected an integer", shown(word));
   };
@@ -218,6 +220,9 @@ std::string fault_of_element(body_reader& from, const element& of, std::uint64_t
 std::optional<ply_fault> fault_of_ply(std::string_view text) {
   const std::optional<header> found = read_header(text);
   if (!found) return {};
+  const auto strips = std::ranges::find(found->elements, "tristrips", &element::name);
+  if (strips != found->elements.end() && strips->count > 0)
+    return ply_fault{0, "has element 'tristrips', which is not read, expected faces"};
   const auto vertex = std::ranges::find(found->elements, "vertex", &element::name);
   const std::uint64_t vertices = vertex == found->elements.end() ? kAnyIndex : vertex->count;
   if (found->format == "ascii") return fault_of_text(*found, vertices);

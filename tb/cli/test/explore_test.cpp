@@ -91,6 +91,9 @@ TEST_CASE("explore finds what is cheapest within a tolerance", "[explore]") {
   CHECK_THAT(none.out,
              ContainsSubstring("none: no configuration whose cost was measured has max_abs_err <= 0.01") &&
                  ContainsSubstring("nearest"));
+  CHECK_THAT(
+      run_blysk(folder, from + " --tolerance 0.5 --clock 9999MHz").out,
+      ContainsSubstring("none: no configuration whose cost was measured has max_abs_err <= 0.5 at 9999 MHz"));
   // What would do, but has no cost, is not passed over.
   write_row(folder, "q14", 1, 1, 0.001);
   fs::remove(folder.path("rows/cost_q14.json"));
@@ -254,6 +257,9 @@ TEST_CASE("explore refuses bad use and bad files in one line", "[explore]") {
   folder.write("rows/cost_copy.json", row);
   fails(rows_in(folder), "cost_copy.json: is a row of another name, expected cost_q8.json");
   fs::remove(folder.path("rows/cost_copy.json"));
+  folder.write("rows/more/cost_q8.json", row);
+  fails(rows_in(folder), "cost_q8.json: is one more cost row of device ");
+  fs::remove_all(folder.path("rows/more"));
   std::string misspelt = row;
   misspelt.replace(misspelt.find("\"ice40\""), 7, "\"ice4\"");
   folder.write("rows/cost_q8.json", misspelt);

@@ -455,6 +455,24 @@ TEST_CASE("what the library passes over in silence is refused or said", "[cli][r
   refuses_text("p.ply", head + "3 1 2 3 3\n", ":14: has '3' behind element 'face', expected nothing");
   refuses_text("p.ply", head.substr(0, head.find("1 -1 0")) + "1 -1\n1 1 0\n-1 1 0\n3 1 2 3\n",
                ":10: ends within element 'vertex', expected more values");
+  // What looks odd and is right.
+  for (const auto& [name, text] : std::vector<std::pair<std::string, std::string>>{
+           {"cr.off", "OFF\r4 2 0\r-1 -1 0\r1 -1 0\r1 1 0\r-1 1 0\r3 0 1 2\r3 0 2 3\r"},
+           {"n.off", "nOFF\n3\n4 2 0\n-1 -1 0\n1 -1 0\n1 1 0\n-1 1 0\n3 0 1 2\n3 0 2 3\n"},
+           {"nan.ply",
+            "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+            "property float quality\nelement face 2\nproperty list uchar int vertex_indices\nend_header\n"
+            "-1 -1 0 nan\n1 -1 0 nan\n1 1 0 inf\n-1 1 0 -inf\n3 0 1 2\n3 0 2 3\n"}}) {
+    CAPTURE(name);
+    folder.write(name, text);
+    CHECK(rendered(folder, in(folder, name) + " --size 8x8")["triangles"] == 2);
+  }
+  refuses_text(
+      "s.ply",
+      "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+      "element tristrips 1\nproperty list int int vertex_indices\nend_header\n-1 -1 0\n1 -1 0\n1 1 0\n"
+      "-1 1 0\n4 0 1 3 2\n",
+      ": has element 'tristrips', which is not read, expected faces");
   refuses_text("d.dxf", "0\nSECTION\n2\nENTITIES\n", ": ends without EOF, expected the whole file");
   refuses_text("g.gltf", R"({"asset": {"version": "2.0"}, "extensionsRequired": ["KHR_mesh_quantization"]})",
                ": requires the extension KHR_mesh_quantization, expected a file without it");

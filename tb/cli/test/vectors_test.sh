@@ -41,7 +41,7 @@ case $case in
     grep -q '^vectors.txt is the file of vectors and of answers, expected two' said || fail "$(cat said)"
     [ "$(<vectors.txt)" = "$kept" ] || fail 'the vectors are gone'
     last=$(tail -n 1 vectors.txt)
-    for line in 'zzz 1' "x${last:1}" "${last% *}" "$last 0" "fff${last:3}" 'junk'; do
+    for line in 'zzz 1' "x${last:1}" "0x${last:2}" "${last% *}" "$last 0" "fff${last:3}" "10000000000000${last}" 'junk' "$(printf '%0300d' 0)"; do
       { sed 3q vectors.txt && printf '%s\n' "$line" && sed 1,3d vectors.txt; } >wrong.txt
       vvp -n bench +vectors=wrong.txt >said
       grep -q '^wrong.txt:4: expected 5 hexadecimal numbers' said || fail "'$line': $(cat said)"
@@ -50,6 +50,11 @@ case $case in
     { sed 3q vectors.txt && printf '\n' && sed 1,3d vectors.txt; } >blank.txt
     vvp -n bench +vectors=blank.txt >/dev/null
     judged 0 q8
+    for length in 253 254 255 256 300 600; do
+      { sed 3q vectors.txt && printf "#%0${length}d\\n" 0 && sed 1,3d vectors.txt; } >long.txt
+      vvp -n bench +vectors=long.txt >/dev/null
+      [ "$(wc -l <answers.txt)" = "$(wc -l <long.txt)" ] || fail "a comment of $length characters takes a vector with it"
+    done
     sed 1d vectors.txt >bare.txt
     vvp -n bench +vectors=bare.txt >/dev/null
     judged 0 q8
@@ -90,10 +95,12 @@ case $case in
       "$export"/*.v "$export"/*.vt >log 2>&1 || { cat log >&2 && exit 1; }
     made/bench >/dev/null
     judged 0 q12
-    { sed 3q vectors.txt && printf 'junk\n'; } >wrong.txt
-    made/bench +vectors=wrong.txt >said
-    grep -q '^wrong.txt:4: expected 5 hexadecimal numbers' said || fail "$(cat said)"
-    judged 2 q12
+    for line in junk '001 x001 ff ff ff' '0x1 0001 ff ff ff'; do
+      { sed 3q vectors.txt && echo "$line"; } >wrong.txt
+      made/bench +vectors=wrong.txt >said
+      grep -q '^wrong.txt:4: expected 5 hexadecimal numbers' said || fail "'$line': $(cat said)"
+      judged 2 q12
+    done
     ;;
   python)
     command -v python3 >/dev/null || exit 77
