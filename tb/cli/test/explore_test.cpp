@@ -257,6 +257,7 @@ TEST_CASE("explore refuses bad use and bad files in one line", "[explore]") {
   folder.write("rows/cost_copy.json", row);
   fails(rows_in(folder), "cost_copy.json: is a row of another name, expected cost_q8.json");
   fs::remove(folder.path("rows/cost_copy.json"));
+  fs::create_directory(folder.path("rows/more"));
   folder.write("rows/more/cost_q8.json", row);
   fails(rows_in(folder), "cost_q8.json: is one more cost row of device ");
   fs::remove_all(folder.path("rows/more"));
