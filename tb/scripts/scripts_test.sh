@@ -69,7 +69,7 @@ END
     one_line 'table.csv declares no signals, expected a waveform'
     printf '$enddefinitions $end\n' >loop.vcd
     exits 2 tree/scripts/gtkwave-screenshot loop.vcd table.csv ./table.csv
-    one_line './table.csv is read too'
+    one_line 'table.csv is read too'
     [ "$(cat table.csv)" = n,cos ] || fail 'a picture in place of a layout'
     printf '$comment\r\nblysk-device --device some --format q8\r\n$end\r\n$enddefinitions $end\r\n' >crlf.vcd
     exits 0 bash -c '. tree/scripts/lib.sh; device_of_waves crlf.vcd'
