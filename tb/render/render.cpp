@@ -436,7 +436,7 @@ plan plan_of(const job& asked) {
     law = asked.device->make_law();
     lobes = &table.emplace(device, *law);
   }
-  const std::int64_t codes = (ports.one() + 1) * static_cast<std::int64_t>(exponents.size());
+  const std::int64_t codes = ports.one() * static_cast<std::int64_t>(exponents.size());  // below cos = 1
   const bool knows_lobes = codes <= std::max(kFewCodes, kCodesOfPixel * asked.width * asked.height);
   plan made = make_plan(*asked.of, asked.asked, knows_lobes ? lobes : nullptr, ports.cos_fraction(),
                         device.top_name(), asked.energy);

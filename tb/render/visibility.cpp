@@ -18,7 +18,7 @@ std::array<vec, 3> corners_of(const scene::mesh& surface, const projection& view
 }
 
 /// The box around what lies in front of the eye. Where an edge comes beside the eye, at w = 0, it has left the picture: which
-/// side it leaves to is x, both sides where x is but a rounding.
+/// side it leaves to is x, both sides where x is but a rounding: a box too large takes time alone.
 box box_of(const std::array<vec, 3>& corners, int width, int height) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   double low_x = kInfinity;

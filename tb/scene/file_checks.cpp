@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <utility>
 
 #include "tb/line_reader.h"
 #include "tb/scene/ply_check.h"
@@ -32,75 +33,51 @@ std::optional<std::uint64_t> count_of(std::string_view word) {
   return value;
 }
 
-/// Lines with something in them, without comments.
-class off_lines {
- public:
-  explicit off_lines(std::string_view text) : rest_(text) {}
-
-  bool next() {
-    while (!rest_.empty()) {
-      const std::size_t end = std::min(rest_.find_first_of("\r\n"), rest_.size());
-      line_ = rest_.substr(0, end);
-      rest_.remove_prefix(rest_.substr(end).starts_with("\r\n") ? end + 2 : std::min(end + 1, rest_.size()));
-      ++number_;
-      line_ = line_.substr(0, line_.find('#'));
-      if (line_.find_first_not_of(" \t\r") != std::string_view::npos) return true;
-    }
-    return false;
-  }
-  /// The line's next word; empty at its end.
-  std::string_view word() {
-    line_.remove_prefix(std::min(line_.find_first_not_of(" \t\r"), line_.size()));
-    const std::string_view found = line_.substr(0, line_.find_first_of(" \t\r"));
-    line_.remove_prefix(found.size());
-    return found;
-  }
-  std::size_t number() const { return number_; }
-
- private:
-  std::string_view rest_, line_;
-  std::size_t number_ = 0;
-};
-
 /// \throws usage_error with the line
 void check_off(const std::string& path, std::string_view text) {
-  off_lines line(text);
+  text_lines line(text);
   if (!line.next()) return;
   // With dimensions of its own (nOFF, 4OFF) a file has other lines.
-  const std::string_view kind = line.word();
+  const std::string_view kind = line.keyword();
   if (!kind.ends_with("OFF") || kind.find_first_of("n4") != std::string_view::npos) return;
+  std::string_view first;  // word of the line, until it is taken
+  std::string_view rest = line.value();
+  const auto next_line = [&] {
+    if (!line.next()) return false;
+    first = line.keyword();
+    rest = line.value();
+    return true;
+  };
+  const auto next_word = [&] { return first.empty() ? take_word(rest) : std::exchange(first, {}); };
+  if (rest.starts_with("BINARY") || (rest.empty() && !next_line())) return;
   std::array<std::uint64_t, 2> counts{};
-  std::string_view first = line.word();
-  if (first == "BINARY") return;
-  if (first.empty() && line.next()) first = line.word();
   for (std::uint64_t& each : counts) {
-    const auto count = count_of(first);
-    if (!count)
-      throw file_error(path, line.number(), fmt::format("has '{}', expected a count", shown(first)));
+    const std::string_view word = next_word();
+    const auto count = count_of(word);
+    if (!count) throw file_error(path, line.number(), fmt::format("has '{}', expected a count", shown(word)));
     each = *count;
-    first = line.word();
   }
   const auto fail_at_end = [&](std::uint64_t at, std::uint64_t count, const char* what) {
     throw file_error(path, 0, fmt::format("has {} of {} {}, expected all of them", at, count, what));
   };
   for (std::uint64_t i = 0; i < counts[0]; ++i) {
-    if (!line.next()) fail_at_end(i, counts[0], "vertices");
+    if (!next_line()) fail_at_end(i, counts[0], "vertices");
     for (int k = 0; k < 3; ++k) {
-      const std::string_view word = line.word();
+      const std::string_view word = next_word();
       if (!number_of(word))
         throw file_error(path, line.number(),
                          fmt::format("vertex has '{}', expected three numbers", shown(word)));
     }
   }
   for (std::uint64_t i = 0; i < counts[1]; ++i) {
-    if (!line.next()) fail_at_end(i, counts[1], "faces");
-    const std::string_view size_word = line.word();
+    if (!next_line()) fail_at_end(i, counts[1], "faces");
+    const std::string_view size_word = next_word();
     const auto size = count_of(size_word);
     if (!size)
       throw file_error(path, line.number(),
                        fmt::format("face has '{}', expected how many corners", shown(size_word)));
     for (std::uint64_t k = 0; k < *size; ++k) {
-      const std::string_view word = line.word();
+      const std::string_view word = next_word();
       const auto index = count_of(word);
       if (!index)
         throw file_error(path, line.number(),
